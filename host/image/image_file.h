@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace host {
+
+/// Linear floating-point pixels, rows top to bottom.
+struct FloatImage {
+  glm::ivec2 size{0};
+  int channels = 0;           ///< 1, 3 or 4
+  std::vector<float> pixels;  ///< size.x * size.y * channels
+};
+
+/// Writes .png (8 bits; the values, clamped to 0..1, are stored as they are: encode before) or .exr (half
+/// float). The file appears whole or not at all: it is written beside its place and renamed. Throws
+/// std::runtime_error with a sentence.
+void writeImage(const std::filesystem::path& path, const FloatImage& image);
+
+/// Reads any image OpenImageIO can, as floating point.
+FloatImage readImage(const std::filesystem::path& path);
+
+/// The linear-to-sRGB transfer function, per channel.
+FloatImage encodeSrgb(FloatImage image);
+
+}  // namespace host

@@ -1,0 +1,73 @@
+// One scope object = one debug group + one timed stage, with the same name in a frame debugger, on the HUD and
+// in the JSON.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <string_view>
+#include <vector>
+
+#include "mres/gl/object.h"
+
+namespace mres::gl {
+
+struct StageTime {
+  std::string_view name;  ///< a string literal
+  double milliseconds = 0.0;
+};
+
+/// Times the scopes of a frame.
+class Profiler {
+ public:
+  enum class Mode {
+    off,    ///< debug groups only
+    query,  ///< GL_TIMESTAMP queries, read some frames later, never waited for
+    finish  ///< glFinish and a monotonic clock around each scope: the truth on llvmpipe, but it stalls
+  };
+
+  explicit Profiler(Mode mode = Mode::off);
+  void setMode(Mode mode) { mode_ = mode; }
+  [[nodiscard]] Mode mode() const { return mode_; }
+
+  void beginFrame();
+  /// The latest frame whose times are known, in the order in which the scopes began.
+  [[nodiscard]] const std::vector<StageTime>& stages() const { return stages_; }
+
+ private:
+  friend class Scope;
+  static constexpr int kFramesInFlight = 4;
+  struct Pending {
+    std::string_view name;
+    QueryName begin;
+    QueryName end;
+  };
+  struct FrameQueries {
+    std::vector<Pending> scopes;  // grows to the largest frame, then stays
+    std::size_t used = 0;
+  };
+  std::size_t begin(std::string_view name);
+  void end(std::size_t scope);
+  void collect(FrameQueries& frame);
+
+  Mode mode_;
+  bool debugGroups_;
+  std::array<FrameQueries, kFramesInFlight> frames_;
+  std::size_t frame_ = 0;
+  std::vector<StageTime> stages_;
+  std::vector<StageTime> current_;  // finish mode
+  std::vector<std::chrono::steady_clock::time_point> starts_;
+};
+
+class Scope {
+ public:
+  Scope(Profiler& profiler, const char* name);
+  ~Scope();
+  Scope(const Scope&) = delete;
+  Scope& operator=(const Scope&) = delete;
+
+ private:
+  Profiler& profiler_;
+  std::size_t index_;
+};
+
+}  // namespace mres::gl

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "mres/gl/object.h"
+
+namespace mres::gl {
+
+/// A uniform block of type Params (one of the shared *_params.h structs) in a buffer of its own.
+template <class Params>
+class UniformBuffer {
+  static_assert(sizeof(Params) % 16 == 0, "std140 blocks are multiples of 16 bytes");
+
+ public:
+  UniformBuffer() : name_(BufferName::create()) {
+    glBindBuffer(GL_UNIFORM_BUFFER, name_.id());
+    glBufferData(GL_UNIFORM_BUFFER, sizeof(Params), nullptr, GL_DYNAMIC_DRAW);
+  }
+
+  void upload(const Params& params) {
+    glBindBuffer(GL_UNIFORM_BUFFER, name_.id());
+    glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof(Params), &params);
+  }
+
+  void bind(GLuint binding) const { glBindBufferBase(GL_UNIFORM_BUFFER, binding, name_.id()); }
+
+ private:
+  BufferName name_;
+};
+
+}  // namespace mres::gl
