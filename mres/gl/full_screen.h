@@ -4,7 +4,8 @@
 
 namespace mres::gl {
 
-/// Draws one triangle that covers the viewport, without vertex buffers (vertex shader common/full_screen.vert).
+/// Draws one triangle that covers the viewport, without vertex buffers (vertex shader
+/// common/full_screen.vert).
 class FullScreenTriangle {
  public:
   FullScreenTriangle() : vertexArray_(VertexArrayName::create()) {}

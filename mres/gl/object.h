@@ -2,7 +2,6 @@
 #pragma once
 
 #include <epoxy/gl.h>
-
 #include <utility>
 
 namespace mres::gl {
@@ -33,15 +32,15 @@ class Object {
   GLuint id_ = 0;
 };
 
-#define MRES_GL_OBJECT(Name, Generate, Delete)                    \
-  struct Name##Traits {                                           \
-    static GLuint create() {                                      \
-      GLuint id = 0;                                              \
-      Generate(1, &id);                                           \
-      return id;                                                  \
-    }                                                             \
-    static void destroy(GLuint id) { Delete(1, &id); }            \
-  };                                                              \
+#define MRES_GL_OBJECT(Name, Generate, Delete)         \
+  struct Name##Traits {                                \
+    static GLuint create() {                           \
+      GLuint id = 0;                                   \
+      Generate(1, &id);                                \
+      return id;                                       \
+    }                                                  \
+    static void destroy(GLuint id) { Delete(1, &id); } \
+  };                                                   \
   using Name = Object<Name##Traits>
 
 MRES_GL_OBJECT(TextureName, glGenTextures, glDeleteTextures);

@@ -1,5 +1,5 @@
-// One scope object = one debug group + one timed stage, with the same name in a frame debugger, on the HUD and
-// in the JSON.
+// One scope object = one debug group + one timed stage, with the same name in a frame debugger, on the HUD
+// and in the JSON.
 #pragma once
 
 #include <array>
@@ -26,10 +26,12 @@ class Profiler {
   };
 
   explicit Profiler(Mode mode = Mode::off);
-  void setMode(Mode mode) { mode_ = mode; }
+  void setMode(Mode mode) { nextMode_ = mode; }
   [[nodiscard]] Mode mode() const { return mode_; }
 
+  /// Frames the scopes of one picture; a change of mode takes effect at beginFrame().
   void beginFrame();
+  void endFrame();
   /// The latest frame whose times are known, in the order in which the scopes began.
   [[nodiscard]] const std::vector<StageTime>& stages() const { return stages_; }
 
@@ -45,11 +47,12 @@ class Profiler {
     std::vector<Pending> scopes;  // grows to the largest frame, then stays
     std::size_t used = 0;
   };
-  std::size_t begin(std::string_view name);
+  std::size_t begin(const char* name);
   void end(std::size_t scope);
   void collect(FrameQueries& frame);
 
   Mode mode_;
+  Mode nextMode_;
   bool debugGroups_;
   std::array<FrameQueries, kFramesInFlight> frames_;
   std::size_t frame_ = 0;

@@ -8,11 +8,14 @@
 
 namespace mres::gl {
 
-/// A framebuffer with colour textures and, where asked for, a depth or stencil texture, all of one size.
+/// A framebuffer with colour textures and, where asked for, a depth texture or a stencil renderbuffer, all of
+/// one size.
 class RenderTarget {
  public:
   RenderTarget() = default;
-  /// `depthStencilFormat` 0 is none. Throws std::runtime_error if the driver rejects the combination.
+  /// `depthStencilFormat` 0 is none; GL_STENCIL_INDEX8 asks for a stencil that is never read back, in
+  /// whatever format the driver can render to. Throws std::runtime_error if the driver rejects the
+  /// combination.
   RenderTarget(glm::ivec2 size, std::initializer_list<GLenum> colorFormats, GLenum depthStencilFormat,
                const char* label);
 
@@ -26,9 +29,13 @@ class RenderTarget {
   explicit operator bool() const { return static_cast<bool>(framebuffer_); }
 
  private:
+  void attachStencil(const char* label);
+
   FramebufferName framebuffer_;
   std::vector<Texture2D> colors_;
   Texture2D depthStencil_;
+  RenderbufferName stencil_;
+  std::size_t stencilBytes_ = 0;
   glm::ivec2 size_{0};
 };
 

@@ -15,8 +15,8 @@ struct ShaderFile {
   std::string_view text;
 };
 
-/// Finds the text of shader files by name: in a directory on disk where one is set (for hot reload), else among
-/// the embedded ones.
+/// Finds the text of shader files by name: in a directory on disk where one is set (for hot reload), else
+/// among the embedded ones.
 class ShaderLibrary {
  public:
   void add(std::span<const ShaderFile> files);

@@ -22,8 +22,8 @@ class Texture2D {
  public:
   Texture2D() = default;
 
-  /// Allocates `levels` mip levels, each floor(size / 2^level) but at least 1. `pixels` may fill level 0, in the
-  /// layout of formatInfo(internalFormat). Leaves the binding of the active unit changed.
+  /// Allocates `levels` mip levels, each floor(size / 2^level) but at least 1. `pixels` may fill level 0, in
+  /// the layout of formatInfo(internalFormat). Leaves the binding of the active unit changed.
   Texture2D(GLenum internalFormat, glm::ivec2 size, const char* label, int levels = 1,
             const void* pixels = nullptr);
 

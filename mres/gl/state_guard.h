@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+
+#include "mres/gl/object.h"
+
+namespace mres::gl {
+
+/// How much of the binding state mres uses; the guard saves exactly that much.
+inline constexpr GLuint kTextureUnits = 8;
+inline constexpr GLuint kUniformBindings = 4;
+
+/// Saves every piece of OpenGL state that mres changes or depends on, sets it to OpenGL's defaults, and puts
+/// the host's values back when it ends. Exists once per public call, so that no call leaks state into the
+/// host or inherits hostile state from it.
+class StateGuard {
+ public:
+  StateGuard();
+  ~StateGuard();
+  StateGuard(const StateGuard&) = delete;
+  StateGuard& operator=(const StateGuard&) = delete;
+
+ private:
+  struct StencilFace {
+    GLint func, ref, valueMask, writeMask, fail, depthFail, depthPass;
+  };
+  struct TextureUnit {
+    GLint texture, sampler;
+  };
+  struct UniformBinding {
+    GLint buffer;
+    GLint64 start, size;
+  };
+  struct BlendState {
+    GLint sourceRgb, destinationRgb, sourceAlpha, destinationAlpha, equationRgb, equationAlpha;
+  };
+  static constexpr GLuint kDrawBuffers = 4;
+  static constexpr std::size_t kCapabilities = 16;
+
+  void saveBindings();
+  void saveRasterState();
+  void setDefaults() const;
+  void restoreBindings() const;
+  void restoreRasterState() const;
+
+  GLint program_ = 0, vertexArray_ = 0, drawFramebuffer_ = 0, readFramebuffer_ = 0, renderbuffer_ = 0;
+  GLint activeTexture_ = 0, uniformBuffer_ = 0, pixelUnpackBuffer_ = 0, pixelPackBuffer_ = 0;
+  std::array<TextureUnit, kTextureUnits> textureUnits_{};
+  std::array<UniformBinding, kUniformBindings> uniformBindings_{};
+  std::array<GLboolean, kCapabilities> capabilities_{};
+  std::array<std::array<GLboolean, 4>, kDrawBuffers> colorMasks_{};
+  std::array<GLboolean, kDrawBuffers> blendEnabled_{};
+  BlendState blend_{};
+  std::array<StencilFace, 2> stencil_{};
+  glm::ivec4 viewport_{0};
+  GLboolean depthMask_ = GL_TRUE;
+  std::array<GLint, 2> polygonMode_{};
+};
+
+}  // namespace mres::gl
