@@ -1,0 +1,66 @@
+#include "host/measure/error_metrics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+
+#include "host/measure/structural_similarity.h"
+
+namespace host {
+namespace {
+
+void requireSameShape(const FloatImage& image, const FloatImage& reference) {
+  if (image.size != reference.size || image.channels != reference.channels ||
+      image.pixels.size() != reference.pixels.size() || image.pixels.empty())
+    throw std::invalid_argument("only images of the same size and channels, with pixels, can be compared");
+}
+
+bool areFinite(float a, float b) {
+  return std::isfinite(a) && std::isfinite(b);
+}
+
+double absoluteError(float value, float expected) {
+  return areFinite(value, expected) ? std::abs(static_cast<double>(value) - static_cast<double>(expected))
+                                    : 1.0;
+}
+
+double meanStructuralSimilarity(const FloatImage& image, const FloatImage& reference) {
+  double sum = 0.0;
+  for (int channel = 0; channel < image.channels; ++channel)
+    sum += structuralSimilarity(channelPair(image, reference, channel));
+  return sum / image.channels;
+}
+
+}  // namespace
+
+ErrorMetrics compareImages(const FloatImage& image, const FloatImage& reference) {
+  requireSameShape(image, reference);
+  ErrorMetrics metrics;
+  double squares = 0.0;
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    const double error = absoluteError(image.pixels[i], reference.pixels[i]);
+    squares += error * error;
+    metrics.max = std::max(metrics.max, error);
+    if (!areFinite(image.pixels[i], reference.pixels[i])) ++metrics.nonFinite;
+  }
+  metrics.rms = std::sqrt(squares / static_cast<double>(image.pixels.size()));
+  metrics.psnr =
+      metrics.rms > 0.0 ? -20.0 * std::log10(metrics.rms) : std::numeric_limits<double>::infinity();
+  metrics.ssim = meanStructuralSimilarity(image, reference);
+  return metrics;
+}
+
+FloatImage differenceImage(const FloatImage& image, const FloatImage& reference, float enhancement) {
+  requireSameShape(image, reference);
+  FloatImage difference{image.size, image.channels, std::vector<float>(image.pixels.size())};
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    const bool finite = areFinite(image.pixels[i], reference.pixels[i]);
+    const auto error = static_cast<float>(absoluteError(image.pixels[i], reference.pixels[i]));
+    difference.pixels[i] = finite ? std::min(error * enhancement, 1.0f) : 1.0f;
+  }
+  return difference;
+}
+
+}  // namespace host

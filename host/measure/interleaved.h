@@ -1,0 +1,53 @@
+// Timing two pieces of work against each other: A B A B, so that both see the same machine.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "host/measure/statistics.h"
+
+namespace host {
+
+/// What one run took.
+struct RunTime {
+  double wallMs = 0.0;                         ///< glFinish and a monotonic clock
+  std::optional<double> gpuMs = std::nullopt;  ///< GL_TIME_ELAPSED, where it means something
+};
+
+using Work = std::function<void()>;
+using Timer = std::function<RunTime(const Work&)>;
+
+/// How often to repeat. Without a fixed count: until the ratio is known within `precision` with 95 %
+/// confidence, or the most pairs or the most seconds are reached, whichever comes first.
+struct RepeatPlan {
+  std::optional<int> pairs = std::nullopt;  ///< exactly so many, at least 1
+  int minPairs = 5;                         ///< fewer say little about a median
+  int maxPairs = 31;
+  double maxSeconds = 20.0;    ///< of timed work
+  double precision = 0.05;     ///< half of the interval's width, relative to the ratio
+  double warmUpSeconds = 0.1;  ///< each is run once to compile its shaders, and on until this has passed
+};
+
+struct InterleavedTimes {
+  std::vector<RunTime> technique;
+  std::vector<RunTime> reference;
+};
+
+/// Called after every pair with those done and those expected at most.
+using PairObserver = std::function<void(int done, int expected)>;
+
+InterleavedTimes timeInterleaved(const Work& technique, const Work& reference, const Timer& timer,
+                                 const RepeatPlan& plan, const PairObserver& observe = {});
+
+/// The wall times, or the GPU times where every run has one.
+enum class Clock { wall, gpu };
+std::optional<std::vector<double>> timesBy(Clock clock, const std::vector<RunTime>& runs);
+
+/// The clock to trust: GPU time where every run of both has one, else wall time.
+Clock trustedClock(const InterleavedTimes& times);
+
+/// Reference over technique, by the trusted clock.
+RatioEstimate speedupOf(const InterleavedTimes& times);
+
+}  // namespace host

@@ -1,0 +1,139 @@
+#include "host/measure/statistics.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <stdexcept>
+
+#include "host/measure/interleaved.h"
+
+namespace host {
+namespace {
+
+using testing::ElementsAre;
+
+TEST(Median, OfAnOddCountIsTheMiddleValue) {
+  EXPECT_EQ(median({9.0, 1.0, 5.0}), 5.0);
+}
+TEST(Median, OfAnEvenCountIsTheMeanOfTheMiddleTwo) {
+  EXPECT_EQ(median({4.0, 1.0, 3.0, 100.0}), 3.5);
+}
+TEST(Median, OfNothingIsAnError) {
+  EXPECT_THROW(median({}), std::invalid_argument);
+}
+
+TEST(Summary, KeepsTheExtremesAndTheCount) {
+  const Summary summary = summarize(std::vector{3.0, 1.0, 2.0, 50.0});
+  EXPECT_EQ(summary.median, 2.5);
+  EXPECT_EQ(summary.min, 1.0);
+  EXPECT_EQ(summary.max, 50.0);
+  EXPECT_EQ(summary.runs, 4);
+}
+
+TEST(RatioOfMedians, IsExactForTimesThatDoNotVary) {
+  const RatioEstimate estimate = ratioOfMedians(std::vector(5, 6.0), std::vector(5, 2.0));
+  EXPECT_EQ(estimate.ratio, 3.0);
+  EXPECT_EQ(estimate.low, 3.0);
+  EXPECT_EQ(estimate.high, 3.0);
+  EXPECT_TRUE(estimate.isKnownWithin(0.0));
+}
+
+TEST(RatioOfMedians, IsNotMovedByOneDisturbedRun) {
+  const std::vector reference{10.0, 10.1, 9.9, 10.0, 10.05, 9.95, 10.0};
+  const std::vector technique{5.0, 5.05, 4.95, 5.0, 80.0, 5.0, 5.0};
+  EXPECT_NEAR(ratioOfMedians(reference, technique).ratio, 2.0, 0.02);
+}
+
+TEST(RatioOfMedians, IntervalContainsTheRatioAndGrowsWithTheSpread) {
+  const std::vector steady{10.0, 10.1, 9.9, 10.2, 9.8, 10.0, 10.1};
+  const std::vector shaky{10.0, 14.0, 7.0, 12.0, 8.0, 10.0, 13.0};
+  const std::vector technique(7, 5.0);
+  const RatioEstimate narrow = ratioOfMedians(steady, technique);
+  const RatioEstimate wide = ratioOfMedians(shaky, technique);
+  EXPECT_LE(narrow.low, narrow.ratio);
+  EXPECT_GE(narrow.high, narrow.ratio);
+  EXPECT_GT(wide.high - wide.low, narrow.high - narrow.low);
+  EXPECT_TRUE(narrow.isKnownWithin(0.05));
+  EXPECT_FALSE(wide.isKnownWithin(0.05));
+}
+
+TEST(RatioOfMedians, IsTheSameForTheSameTimes) {
+  const std::vector reference{10.0, 14.0, 7.0, 12.0, 8.0};
+  const std::vector technique{5.0, 6.0, 7.0, 4.0, 5.0};
+  EXPECT_EQ(ratioOfMedians(reference, technique).low, ratioOfMedians(reference, technique).low);
+}
+
+TEST(RatioOfMedians, RejectsWhatHasNoRatio) {
+  EXPECT_THROW(ratioOfMedians({}, {}), std::invalid_argument);
+  EXPECT_THROW(ratioOfMedians(std::vector{1.0}, std::vector{1.0, 2.0}), std::invalid_argument);
+  EXPECT_THROW(ratioOfMedians(std::vector{1.0}, std::vector{0.0}), std::invalid_argument);
+}
+
+/// Plays back times instead of measuring, and writes down in which order work was run.
+class FakeTimer {
+ public:
+  RunTime operator()(const Work& work) {
+    work();
+    return {.wallMs = nextMs, .gpuMs = gpuMs};
+  }
+  double nextMs = 0.0;
+  std::optional<double> gpuMs;
+};
+
+class Interleaved : public testing::Test {
+ protected:
+  InterleavedTimes run(const RepeatPlan& plan) {
+    return timeInterleaved([this] { order_ += 'A', timer_.nextMs = techniqueMs(); },
+                           [this] { order_ += 'B', timer_.nextMs = 200.0; }, std::ref(timer_), plan);
+  }
+  double techniqueMs() { return jitter_ * static_cast<double>(order_.size() % 8) + 100.0; }
+
+  FakeTimer timer_;
+  std::string order_;
+  double jitter_ = 0.0;
+};
+
+TEST_F(Interleaved, WarmsBothUpAndThenTakesTurns) {
+  const InterleavedTimes times = run({.pairs = 3});
+  EXPECT_EQ(order_,
+            "AB"
+            "ABABAB");
+  EXPECT_EQ(times.technique.size(), 3U);
+  EXPECT_EQ(times.reference.size(), 3U);
+}
+
+TEST_F(Interleaved, WarmsUpUntilTheClocksHaveSettled) {
+  run({.pairs = 1, .warmUpSeconds = 0.35});
+  EXPECT_EQ(order_,
+            "AAAA"
+            "BB"
+            "AB");
+}
+
+TEST_F(Interleaved, StopsAtTheLeastCountWhenTheRatioIsKnown) {
+  EXPECT_EQ(run({}).technique.size(), 5U);
+  EXPECT_EQ(speedupOf(run({})).ratio, 2.0);
+}
+
+TEST_F(Interleaved, GoesOnWhileTheRatioIsUncertain) {
+  jitter_ = 50.0;
+  EXPECT_GT(run({.maxPairs = 9, .maxSeconds = 1e9}).technique.size(), 5U);
+}
+
+TEST_F(Interleaved, EndsWhenItsTimeIsUp) {
+  jitter_ = 500.0;
+  EXPECT_LT(run({.maxPairs = 1000, .maxSeconds = 20.0, .precision = 0.0}).technique.size(), 20U);
+}
+
+TEST_F(Interleaved, TrustsTheGpuClockOnlyWhereEveryRunHasOne) {
+  InterleavedTimes times = run({.pairs = 2});
+  EXPECT_EQ(trustedClock(times), Clock::wall);
+  timer_.gpuMs = 40.0;
+  times = run({.pairs = 2});
+  EXPECT_EQ(trustedClock(times), Clock::gpu);
+  EXPECT_THAT(timesBy(Clock::gpu, times.technique).value(), ElementsAre(40.0, 40.0));
+  times.reference[1].gpuMs.reset();
+  EXPECT_EQ(trustedClock(times), Clock::wall);
+}
+
+}  // namespace
+}  // namespace host
