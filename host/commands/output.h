@@ -1,0 +1,33 @@
+// Where results go. Checked before the work begins, written whole or not at all.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace host {
+
+/// Throws std::runtime_error with a sentence if no file can be made at `path`.
+void requireWritableFile(const std::filesystem::path& path);
+
+/// Writes beside `path` and renames. Throws std::runtime_error with a sentence.
+void writeTextFile(const std::filesystem::path& path, const std::string& text);
+
+/// A folder for results, made with its parents where it is missing. Throws std::runtime_error with a sentence
+/// if nothing can be written there. Folders that it made and that are still empty at the end are taken away
+/// again.
+class OutputDirectory {
+ public:
+  explicit OutputDirectory(std::filesystem::path path);
+  ~OutputDirectory();
+  OutputDirectory(const OutputDirectory&) = delete;
+  OutputDirectory& operator=(const OutputDirectory&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+  std::vector<std::filesystem::path> made_;  // outermost first
+};
+
+}  // namespace host

@@ -1,0 +1,122 @@
+#include "host/measure/report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <limits>
+
+namespace host {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+Measurement example() {
+  Measurement measurement;
+  measurement.scene = "hall";
+  measurement.triangles = 183333;
+  measurement.camera = 2;
+  measurement.cameraName = "Nave";
+  measurement.size = {3840, 2160};
+  measurement.effect = "ssao";
+  measurement.samples = 64;
+  measurement.technique = "mres";
+  measurement.reference = "full";
+  measurement.settings = {{"radius", 0.4}};
+  InterleavedTimes times;
+  for (const double jitter : {0.0, 1.0, -1.0, 0.5, -0.5}) {
+    times.technique.push_back({.wallMs = 100.0 + jitter});
+    times.reference.push_back({.wallMs = 250.0 + jitter});
+  }
+  measurement.times = times;
+  measurement.error = {.rms = 0.01, .max = 0.3, .psnr = 40.0, .ssim = 0.99, .nonFinite = 0};
+  measurement.coverage = {0.04, 0.09, 0.2, 1.0};
+  measurement.stages = {{"edges", 30.0}, {"level0", 70.0}};
+  measurement.skipped = {{"level1", "not used by ssgi"}};
+  measurement.gpuBytes = 123456;
+  return measurement;
+}
+
+Json reportOf(const std::vector<Measurement>& measurements) {
+  Json report = makeReport({"llvmpipe", "4.5", 2});
+  for (const Measurement& measurement : measurements) report["results"].push_back(toJson(measurement));
+  return report;
+}
+
+TEST(Report, HasTheFieldsThatScriptsRelyOn) {
+  const Json report = Json::parse(toText(reportOf({example()})));
+  EXPECT_EQ(report["schema"], 1);
+  EXPECT_EQ(report["machine"].dump(), R"({"renderer":"llvmpipe","version":"4.5","cores":2})");
+  const Json& result = report["results"][0];
+  EXPECT_EQ(result["scene"], "hall");
+  EXPECT_EQ(result["triangles"], 183333);
+  EXPECT_EQ(result["camera"], 2);
+  EXPECT_EQ(result["width"], 3840);
+  EXPECT_EQ(result["height"], 2160);
+  EXPECT_EQ(result["effect"], "ssao");
+  EXPECT_EQ(result["samples"], 64);
+  EXPECT_EQ(result["technique"], "mres");
+  EXPECT_EQ(result["reference"], "full");
+  EXPECT_EQ(result["time_ms"].dump(), R"({"median":100.0,"min":99.0,"max":101.0,"runs":5})");
+  EXPECT_EQ(result["reference_time_ms"]["median"], 250.0);
+  EXPECT_EQ(result["speedup"], 2.5);
+  EXPECT_EQ(result["error"].dump(), R"({"rms":0.01,"max":0.3,"psnr":40.0,"ssim":0.99,"non_finite":0})");
+  EXPECT_EQ(result["coverage"].dump(), "[0.04,0.09,0.2,1.0]");
+  EXPECT_EQ(result["stages_ms"].dump(), R"({"edges":30.0,"level0":70.0})");
+  EXPECT_EQ(result["skipped"].dump(), R"([{"what":"level1","reason":"not used by ssgi"}])");
+  EXPECT_EQ(result["gpu_bytes"], 123456);
+  EXPECT_EQ(result["settings"]["radius"], 0.4);
+}
+
+TEST(Report, SaysWhichClockItsTimesAreOf) {
+  Measurement measurement = example();
+  EXPECT_EQ(toJson(measurement)["clock"], "glFinish+steady_clock");
+  EXPECT_TRUE(toJson(measurement)["gpu_time_ms"].is_null());
+  for (auto* runs : {&measurement.times->technique, &measurement.times->reference})
+    for (RunTime& run : *runs) run.gpuMs = run.wallMs / 2.0;
+  const Json result = toJson(measurement);
+  EXPECT_EQ(result["clock"], "GL_TIME_ELAPSED");
+  EXPECT_EQ(result["time_ms"]["median"], 50.0);
+  EXPECT_EQ(result["wall_time_ms"]["median"], 100.0);
+  EXPECT_EQ(result["gpu_time_ms"]["median"], 50.0);
+}
+
+TEST(Report, WithoutTimingHasTheSameFieldsWithNull) {
+  Measurement measurement = example();
+  const Json timed = toJson(measurement);
+  measurement.times.reset();
+  const Json untimed = toJson(measurement);
+  for (const auto& [key, value] : timed.items()) EXPECT_TRUE(untimed.contains(key)) << key;
+  EXPECT_TRUE(untimed["time_ms"].is_null());
+  EXPECT_TRUE(untimed["speedup"].is_null());
+}
+
+TEST(Report, AnInfinitePsnrIsNull) {
+  Measurement measurement = example();
+  measurement.error.psnr = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(toJson(measurement)["error"]["psnr"].is_null());
+  EXPECT_THAT(toTable(reportOf({measurement})), Not(HasSubstr("inf")));
+}
+
+TEST(ReportTable, ShowsTheFiguresOfOneResult) {
+  EXPECT_THAT(
+      toTable(reportOf({example()})),
+      AllOf(HasSubstr("hall"), HasSubstr("2.50x"), HasSubstr("0.0100"), HasSubstr("4.0 9.0 20.0 100.0"),
+            HasSubstr("edges"), HasSubstr("30 %"), HasSubstr("5 interleaved pairs"), Not(HasSubstr("mean"))));
+}
+
+TEST(ReportTable, AveragesSeveralResults) {
+  Measurement second = example();
+  second.error.rms = 0.03;
+  EXPECT_THAT(toTable(reportOf({example(), second})), AllOf(HasSubstr("mean"), HasSubstr("0.0200")));
+}
+
+TEST(ReportTable, ShowsWhatWasNotMeasuredAsADash) {
+  Measurement measurement = example();
+  measurement.times.reset();
+  measurement.stages.clear();
+  EXPECT_THAT(toTable(reportOf({measurement})), AllOf(HasSubstr(" - "), HasSubstr("0.0100")));
+}
+
+}  // namespace
+}  // namespace host
