@@ -33,10 +33,6 @@ constexpr std::array kFormats = {
     KnownFormat{GL_DEPTH24_STENCIL8, {GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, 4}},
 };
 
-GLint filterMode(Filter filter) {
-  return filter == Filter::linear ? GL_LINEAR : GL_NEAREST;
-}
-
 }  // namespace
 
 FormatInfo formatInfo(GLenum internalFormat) {
@@ -74,8 +70,10 @@ std::size_t Texture2D::bytes() const {
 
 SamplerName makeSampler(Filter filter) {
   SamplerName sampler = SamplerName::create();
-  glSamplerParameteri(sampler.id(), GL_TEXTURE_MIN_FILTER, filterMode(filter));
-  glSamplerParameteri(sampler.id(), GL_TEXTURE_MAG_FILTER, filterMode(filter));
+  const GLint magnify = filter == Filter::linear ? GL_LINEAR : GL_NEAREST;
+  const GLint minify = filter == Filter::nearestMip ? GL_NEAREST_MIPMAP_NEAREST : magnify;
+  glSamplerParameteri(sampler.id(), GL_TEXTURE_MIN_FILTER, minify);
+  glSamplerParameteri(sampler.id(), GL_TEXTURE_MAG_FILTER, magnify);
   glSamplerParameteri(sampler.id(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glSamplerParameteri(sampler.id(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   return sampler;

@@ -41,9 +41,13 @@ class Texture2D {
   int levels_ = 0;
 };
 
-enum class Filter { nearest, linear };
+enum class Filter {
+  nearest,     ///< level 0 only
+  nearestMip,  ///< the nearest texel of the nearest mip
+  linear       ///< level 0 only
+};
 
-/// A sampler that clamps to the edge and has no mip filtering.
+/// A sampler that clamps to the edge.
 SamplerName makeSampler(Filter filter);
 
 /// Binds a texture and a sampler object to a unit, whatever the texture's own parameters are.

@@ -1,8 +1,8 @@
 // Makes one header compile as C++ and as GLSL: a UNIFORM_BLOCK is a struct there and a std140 block here.
 // Members are float, int, vec2, ivec2, vec4 and mat4 at their std140 offsets (no vec3: its padding differs);
 // arrays only of vec4 and mat4.
-#ifdef __cplusplus
 #pragma once
+#ifdef __cplusplus
 #include <glm/glm.hpp>
 
 #define UNIFORM_BLOCK(Name) struct alignas(16) Name

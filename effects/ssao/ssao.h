@@ -1,0 +1,50 @@
+#pragma once
+
+#include "mres/effect.h"
+#include "mres/gl/uniform_buffer.h"
+#include "mres/settings.h"
+#include "shaders/effects/ssao_params.h"
+
+namespace mres {
+
+struct SsaoSettings {
+  float radius = 0.5f;  ///< metres, [0, 100]. Reach of the occlusion.
+  int samples = 64;     ///< 1..256. Points per pixel; a 4x4 pattern of rotations multiplies them by sixteen.
+  float intensity = 1.0f;  ///< [0, 4]. Multiplies the occlusion.
+  float bias = 0.02f;  ///< share of the radius, [0, 1]. Lower rises over the tangent plane do not occlude.
+  int seed = 0;        ///< [0, 65535]. Chooses the point set.
+  LevelTable levels = kSsaoLevels;
+};
+
+template <class Visitor>
+void visit(SsaoSettings& settings, Visitor&& visitor) {
+  visitor("radius", settings.radius, SettingInfo{"metres", 0.0, 100.0, "Reach of the occlusion."});
+  visitor("samples", settings.samples, SettingInfo{"", 1.0, SSAO_MAX_SAMPLES, "Points per pixel."});
+  visitor("intensity", settings.intensity, SettingInfo{"", 0.0, 4.0, "Multiplies the occlusion."});
+  visitor("bias", settings.bias,
+          SettingInfo{"radii", 0.0, 1.0, "Lower rises over the tangent plane do not occlude."});
+  visitor("seed", settings.seed, SettingInfo{"", 0.0, 65535.0, "Chooses the point set."});
+}
+
+/// Screen-space ambient occlusion: the share of the hemisphere's points that nothing hides, 0 (closed in) to
+/// 1 (open).
+class Ssao final : public Effect {
+ public:
+  /// Throws std::invalid_argument if a setting is out of range.
+  explicit Ssao(const SsaoSettings& settings = {});
+
+  [[nodiscard]] const SsaoSettings& settings() const { return settings_; }
+  void setSettings(const SsaoSettings& settings);
+
+  [[nodiscard]] const EffectDescription& description() const override;
+  [[nodiscard]] const LevelTable& levels() const override { return settings_.levels; }
+  void setUp(const gl::Program& program) override;
+  void bind() override;
+
+ private:
+  SsaoSettings settings_;
+  gl::UniformBuffer<params::SsaoParams> params_;
+  bool uploaded_ = false;
+};
+
+}  // namespace mres

@@ -1,0 +1,63 @@
+// What an effect implements to be accelerated: one GLSL function and one small class.
+#pragma once
+
+#include <array>
+#include <epoxy/gl.h>
+#include <glm/glm.hpp>
+#include <span>
+
+#include "mres/gl/program.h"
+#include "mres/gl/shader_library.h"
+
+namespace mres {
+
+/// Full, half, quarter and eighth resolution; level i has ceil(size / 2^i) pixels.
+inline constexpr int kMaxLevels = 4;
+
+/// How one resolution level takes part (Table 1 of Besenthal, Maisch and Ropinski 2019).
+struct LevelSettings {
+  bool used = true;           ///< The coarsest used level renders the whole screen.
+  float maskVariance = 0.0f;  ///< sigma^2 in pixels^2 of this level, [0, 64]. Widens the zone around edges.
+  float blendWeight = 1.0f;   ///< w_i of equation 1, [1, 1000]. Larger is a harder transition.
+};
+using LevelTable = std::array<LevelSettings, kMaxLevels>;
+
+/// Table 1, column SSAO.
+inline constexpr LevelTable kSsaoLevels = {
+    {{true, 0.924f, 100.0f}, {true, 1.848f, 50.0f}, {true, 3.696f, 20.0f}, {true, 0.0f, 1.0f}}};
+
+/// The constant part of an effect.
+struct EffectDescription {
+  const char* name;  ///< Unique among the effects that one MultiResolution renders, e.g. "ssao".
+  const char*
+      shader;  ///< Shader file that defines `vec4 shade(Surface surface)`; see shaders/mres/surface.glsl.
+  std::span<const gl::ShaderFile> shaders;  ///< Files that `shader` needs beyond those of mres.
+  int channels = 1;                         ///< 1 (result GL_R16F) or 3 (result GL_RGBA16F)
+  glm::vec4 background{1.0f};               ///< The value where there is no surface.
+  bool filtered =
+      true;  ///< Noise of a repeating 4x4 pattern, removed by the depth-aware filter of each level.
+  bool readsPyramid = true;  ///< Wants the mip pyramid of view depth.
+};
+
+/// Where an effect puts its own resources for a draw; lower units and bindings are taken by mres.
+inline constexpr GLuint kEffectTextureUnit = 3;   ///< 3..7 are the effect's
+inline constexpr GLuint kEffectBlockBinding = 2;  ///< 2..3 are the effect's
+
+class Effect {
+ public:
+  Effect() = default;
+  Effect(const Effect&) = delete;
+  Effect& operator=(const Effect&) = delete;
+  virtual ~Effect() = default;
+
+  [[nodiscard]] virtual const EffectDescription& description() const = 0;
+  [[nodiscard]] virtual const LevelTable& levels() const = 0;
+
+  /// Called once after `program` is linked and in use: binds the effect's samplers and blocks by name.
+  virtual void setUp(const gl::Program& program) = 0;
+
+  /// Called before the draws of a frame: uploads the effect's settings, binds its textures and blocks.
+  virtual void bind() = 0;
+};
+
+}  // namespace mres

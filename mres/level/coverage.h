@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+
+#include "mres/gl/object.h"
+#include "mres/plan/level_plan.h"
+
+namespace mres {
+
+/// Counts the pixels in which an effect ran, by occlusion queries that are read when they are ready.
+class CoverageQueries {
+ public:
+  /// Reads what is ready of the frame before, then starts a new one.
+  void beginFrame(const LevelPlan& plan);
+  void beginLevel(int level);
+  void endLevel();
+
+  /// Share of the level's pixels, as of the latest frame known; 1 while none is.
+  [[nodiscard]] double of(int level);
+
+ private:
+  struct Level {
+    gl::QueryName query;
+    double pixels = 0.0;
+    double coverage = 1.0;
+    bool pending = false;
+  };
+  static void collect(Level& level);
+  std::array<Level, kMaxLevels> levels_;
+};
+
+}  // namespace mres

@@ -1,0 +1,55 @@
+#include "mres/level/effect_pass.h"
+
+#include <string>
+
+#include "mres/mask/stencil_pass.h"
+
+namespace mres {
+namespace {
+
+constexpr std::array<const char*, kMaxLevels> kScopeNames = {"mres.level0", "mres.level1", "mres.level2",
+                                                             "mres.level3"};
+
+gl::Program makeProgram(const gl::ShaderLibrary& library, Effect& effect) {
+  const EffectDescription& description = effect.description();
+  gl::ShaderLibrary extended = library;
+  extended.add(description.shaders);
+  extended.add("effect", "#include \"" + std::string(description.shader) + "\"\n");
+  gl::Program program =
+      makePassProgram(extended, "mres/effect_level.frag",
+                      "#define EFFECT_CHANNELS " + std::to_string(description.channels) + "\n");
+  glUniform4fv(program.uniformLocation("backgroundValue"), 1, &description.background.x);
+  effect.setUp(program);
+  return program;
+}
+
+}  // namespace
+
+EffectPass::EffectPass(const gl::ShaderLibrary& library, Effect& effect)
+    : description_(effect.description()), program_(makeProgram(library, effect)) {}
+
+void EffectPass::draw(PassContext& context, int level, bool zoned) {
+  const gl::Scope scope(context.profiler, kScopeNames.at(static_cast<std::size_t>(level)));
+  targets(level).raw().bind();
+  if (zoned) {
+    // Filter depth 0 marks what was not rendered, so that the filter never reads it.
+    constexpr std::array<float, 4> kUndefined{};
+    glClearBufferfv(GL_COLOR, 0, kUndefined.data());
+    testStencil(GL_EQUAL);
+  }
+  glUseProgram(program_.id());
+  context.triangle.draw();
+  glDisable(GL_STENCIL_TEST);
+}
+
+std::size_t EffectPass::bytes() const {
+  std::size_t sum = 0;
+  for (const LevelTargets& targets : targets_) sum += targets.bytes();
+  return sum;
+}
+
+void EffectPass::fillTargets(float value) const {
+  for (const LevelTargets& targets : targets_) targets.fill(value);
+}
+
+}  // namespace mres

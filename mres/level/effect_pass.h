@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "mres/effect.h"
+#include "mres/level/level_targets.h"
+#include "mres/level/pass_context.h"
+
+namespace mres {
+
+/// One effect: its program and its targets at every level.
+class EffectPass {
+ public:
+  EffectPass(const gl::ShaderLibrary& library, Effect& effect);
+
+  [[nodiscard]] const EffectDescription& effect() const { return description_; }
+
+  /// Draws the effect into the raw target of `level`: the whole of it, or its stencilled zone. Needs the
+  /// frame's and level's blocks and the effect bound.
+  void draw(PassContext& context, int level, bool zoned);
+
+  LevelTargets& targets(int level) { return targets_.at(static_cast<std::size_t>(level)); }
+  [[nodiscard]] std::size_t bytes() const;
+  void fillTargets(float value) const;
+
+ private:
+  EffectDescription description_;
+  gl::Program program_;
+  std::array<LevelTargets, kMaxLevels> targets_;
+};
+
+}  // namespace mres

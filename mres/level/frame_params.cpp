@@ -1,0 +1,113 @@
+#include "mres/level/frame_params.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_access.hpp>
+#include <stdexcept>
+
+#include "mres/level/depth_pyramid.h"
+
+namespace mres {
+namespace {
+
+constexpr int kMaxSize = 16384;
+
+bool isFinite(const glm::mat4& matrix) {
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 4; ++row) {
+      if (!std::isfinite(matrix[column][row])) return false;
+    }
+  }
+  return true;
+}
+
+void validate(const Frame& frame) {
+  if (frame.depth == 0 || frame.normals == 0) {
+    throw std::invalid_argument("Frame::depth and Frame::normals must name textures; one of them is 0.");
+  }
+  if (frame.size.x < 1 || frame.size.y < 1 || frame.size.x > kMaxSize || frame.size.y > kMaxSize) {
+    throw std::invalid_argument("Frame::size must be 1 to 16384 pixels in each direction.");
+  }
+  if (!isFinite(frame.view) || !isFinite(frame.projection)) {
+    throw std::invalid_argument("Frame::view and Frame::projection must be finite matrices.");
+  }
+  const glm::mat4& p = frame.projection;
+  if (p[0][0] == 0.0f || p[1][1] == 0.0f || (p[2][3] == 0.0f && p[3][3] == 0.0f)) {
+    throw std::invalid_argument("Frame::projection must be a perspective or orthographic projection.");
+  }
+}
+
+/// Coefficients (a, b, c, d) of view depth = (a + b t) / (c + d t) for window depth t: the projection's third
+/// and fourth row solved for -z.
+glm::dvec4 lineariseCoefficients(const Frame& frame) {
+  const glm::dmat4 p(frame.projection);
+  const glm::dvec2 ndcFromWindow =
+      frame.clipDepth == ClipDepth::minusOneToOne ? glm::dvec2(2.0, -1.0) : glm::dvec2(1.0, 0.0);
+  // ndc = s t + o;  -z = (p32 - ndc p33) / (p22 - ndc p23)
+  return {p[3][2] - ndcFromWindow.y * p[3][3], -ndcFromWindow.x * p[3][3],
+          p[2][2] - ndcFromWindow.y * p[2][3], -ndcFromWindow.x * p[2][3]};
+}
+
+double viewDepthAt(const glm::dvec4& linearise, double windowDepth) {
+  return (linearise.x + linearise.y * windowDepth) / (linearise.z + linearise.w * windowDepth);
+}
+
+/// A reversed projection puts the far plane at window depth 0.
+bool isReversed(const glm::dvec4& linearise) {
+  const double atZero = viewDepthAt(linearise, 0.0);
+  const double atOne = viewDepthAt(linearise, 1.0);
+  // An infinite far plane shows as infinity of either sign, or as an enormous negative number by rounding.
+  const auto distance = [](double depth) { return std::isfinite(depth) && depth >= 0.0 ? depth : INFINITY; };
+  return distance(atZero) > distance(atOne);
+}
+
+/// Half floats hold 2^-14..65504: the nearest surface goes to 1/16 in perspective, the farthest to 1024
+/// otherwise.
+double halfFloatScale(const glm::dvec4& linearise, bool perspective, bool reversed) {
+  const double near = std::abs(viewDepthAt(linearise, reversed ? 1.0 : 0.0));
+  const double far = std::abs(viewDepthAt(linearise, reversed ? 0.0 : 1.0));
+  return perspective ? 1.0 / (16.0 * std::max(near, 1e-30)) : 1024.0 / std::max({near, far, 1e-30});
+}
+
+void setUnprojection(const Frame& frame, params::FrameParams& params) {
+  const glm::dmat4 p(frame.projection);
+  const glm::dvec2 scale = 2.0 / (glm::dvec2(frame.size) * glm::dvec2(p[0][0], p[1][1]));
+  const glm::dvec2 inverse = 1.0 / glm::dvec2(p[0][0], p[1][1]);
+  const glm::dvec2 shear(p[2][0], p[2][1]);
+  const glm::dvec2 shift(p[3][0], p[3][1]);
+  const double wPerDepth = -p[2][3];
+  const double wConstant = p[3][3];
+  // ndc w = p00 x + p20 z + p30 with w = wPerDepth depth + wConstant and z = -depth, solved for x.
+  params.unprojectScaled = glm::vec4(scale * wPerDepth, inverse * (shear - wPerDepth));
+  params.unprojectConstant = glm::vec4(scale * wConstant, inverse * (-shift - wConstant));
+}
+
+}  // namespace
+
+params::FrameParams frameParams(const Frame& frame) {
+  validate(frame);
+  params::FrameParams params{};
+  const glm::vec2 halfSize = glm::vec2(frame.size) * 0.5f;
+  const glm::vec4 rowW = glm::row(frame.projection, 3);
+  params.viewFromNormals =
+      frame.normalSpace == NormalSpace::world ? glm::mat4(glm::mat3(frame.view)) : glm::mat4(1.0f);
+  params.pixelX = halfSize.x * (glm::row(frame.projection, 0) + rowW);
+  params.pixelY = halfSize.y * (glm::row(frame.projection, 1) + rowW);
+  params.clipW = rowW;
+  setUnprojection(frame, params);
+
+  const glm::dvec4 linearise = lineariseCoefficients(frame);
+  const bool perspective = frame.projection[2][3] != 0.0f;
+  const bool reversed = isReversed(linearise);
+  params.linearise = glm::vec4(linearise);
+  params.normalDecode =
+      frame.normalEncoding == NormalEncoding::unsignedXyz ? glm::vec2(2.0f, -1.0f) : glm::vec2(1.0f, 0.0f);
+  params.size = frame.size;
+  params.backgroundDepth = reversed ? 0.0f : 1.0f;
+  params.filterDepthScale = static_cast<float>(halfFloatScale(linearise, perspective, reversed));
+  params.pixelsPerMetre = std::abs(frame.projection[1][1]) * halfSize.y;
+  params.pyramidLevels = depthPyramidLevels(frame.size);
+  return params;
+}
+
+}  // namespace mres

@@ -1,0 +1,62 @@
+#include "mres/level/level_targets.h"
+
+namespace mres {
+namespace {
+
+/// Off-plane distance over view depth up to which the filter fully trusts a neighbour: a centimetre at two
+/// metres.
+constexpr float kFilterTolerance = 0.005f;
+
+gl::RenderTarget makeTarget(glm::ivec2 size, GLenum format, const gl::StencilBuffer* stencil,
+                            const char* label) {
+  return stencil == nullptr ? gl::RenderTarget(size, {format}, 0, label)
+                            : gl::RenderTarget(size, format, *stencil, label);
+}
+
+}  // namespace
+
+void LevelTargets::ensure(const EffectDescription& effect, glm::ivec2 size, bool zoned) {
+  if (raw_.size() == size && zoned_ == zoned) return;
+  const GLenum rawFormat = effect.channels == 1 ? GL_RG16F : GL_RGBA16F;
+  const GLenum resultFormat = effect.channels == 1 ? GL_R16F : GL_RGBA16F;
+  stencil_ = zoned ? gl::StencilBuffer(size, "mres.stencil") : gl::StencilBuffer();
+  const gl::StencilBuffer* stencil = zoned ? &stencil_ : nullptr;
+  raw_ = makeTarget(size, rawFormat, stencil, "mres.level");
+  filteredAlongX_ =
+      effect.filtered ? makeTarget(size, rawFormat, stencil, "mres.filter") : gl::RenderTarget();
+  composed_ = makeTarget(size, resultFormat, stencil, "mres.composite");
+  zoned_ = zoned;
+}
+
+std::size_t LevelTargets::bytes() const {
+  return stencil_.bytes() + raw_.bytes() + filteredAlongX_.bytes() + composed_.bytes();
+}
+
+void LevelTargets::fill(float value) const {
+  const glm::vec4 color(value);
+  for (const gl::RenderTarget* target : {&raw_, &filteredAlongX_, &composed_}) {
+    if (!*target) continue;
+    target->bind();
+    glClearBufferfv(GL_COLOR, 0, &color.x);
+  }
+}
+
+params::LevelParams levelParams(const PlannedLevel& level, const PlannedLevel* coarser, glm::ivec2 fullSize) {
+  params::LevelParams params{};
+  const int stride = 1 << level.index;
+  params.levelSize = level.size;
+  params.levelStride = stride;
+  params.levelHalfStride = stride / 2;
+  if (coarser != nullptr) {
+    // Texel p of the coarser level sits at full-resolution pixel p * stride + stride / 2, so pixel x lies at
+    // texel (x - stride / 2) / stride; texel centres are half a texel on, which cancels.
+    params.coarserFromPixel = 1.0f / (static_cast<float>(1 << coarser->index) * glm::vec2(coarser->size));
+  }
+  params.maskFromPixel =
+      1.0f / (static_cast<float>(2 * stride) * glm::vec2(levelSize(fullSize, level.index + 1)));
+  params.blendWeight = level.settings.blendWeight;
+  params.filterTolerance = kFilterTolerance;
+  return params;
+}
+
+}  // namespace mres

@@ -1,0 +1,46 @@
+#include "mres/mask/edge_pass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+
+#include "mres/plan/level_plan.h"
+
+namespace mres {
+namespace {
+
+/// The second difference of three rounded depths is off by two steps at most; rasterisers add as much again.
+/// Steps of fixed-point depth are constant, those of floating-point depth proportional to it.
+glm::vec2 depthRounding() {
+  GLint bits = 0;
+  GLint type = GL_UNSIGNED_NORMALIZED;
+  glActiveTexture(GL_TEXTURE0 + kDepthUnit);
+  glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_DEPTH_SIZE, &bits);
+  glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_DEPTH_TYPE, &type);
+  constexpr int kFloatBits = 24;
+  return type == GL_FLOAT ? glm::vec2(0.0f, std::ldexp(8.0f, -kFloatBits))
+                          : glm::vec2(std::ldexp(4.0f, -std::clamp(bits, 1, kFloatBits)), 0.0f);
+}
+
+}  // namespace
+
+EdgePass::EdgePass(const gl::ShaderLibrary& library)
+    : program_(makePassProgram(library, "mres/edges.frag")) {}
+
+void EdgePass::draw(PassContext& context, const MaskSettings& settings, const params::FrameParams& frame) {
+  const gl::Scope scope(context.profiler, "mres.edges");
+  const glm::ivec2 size = levelSize(frame.size, 1);
+  if (target_.size() != size) target_ = gl::RenderTarget(size, {GL_RG8}, 0, "mres.edges");
+
+  const glm::vec4& l = frame.linearise;
+  params_.upload({.depthSlope = {std::abs(l.y * l.z - l.x * l.w), l.z, l.w, 0.0f},
+                  .normalCosine = std::cos(glm::radians(settings.normalThreshold)),
+                  .depthThreshold = settings.depthThreshold,
+                  .depthRounding = depthRounding()});
+  params_.bind(kPassBlock);
+  glUseProgram(program_.id());
+  target_.bind();
+  context.triangle.draw();
+}
+
+}  // namespace mres

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+
+#include "mres/gl/render_target.h"
+#include "mres/gl/uniform_buffer.h"
+#include "mres/level/pass_context.h"
+#include "mres/plan/level_plan.h"
+#include "shaders/mres/mask_blur_params.h"
+
+namespace mres {
+
+/// The Gaussian of a mask: variance in texels^2, taps whose weight an eight-bit mask would round to zero left
+/// out.
+params::MaskBlurParams gaussian(float variance);
+
+/// Turns the edge image into one mask per level: down-sampled, then blurred by the level's variance. The mask
+/// of level i has the resolution of level i + 1 (a texel is a 2x2 quad of the level's pixels), is GL_R8, and
+/// is above zero wherever the mask of a finer level is.
+class MaskPass {
+ public:
+  explicit MaskPass(const gl::ShaderLibrary& library);
+
+  /// `edges` has the resolution of level 1. The plan's last level needs no mask.
+  void draw(PassContext& context, const gl::Texture2D& edges, const LevelPlan& plan);
+
+  /// The mask of a level that draw() was given.
+  [[nodiscard]] const gl::Texture2D& mask(int level) const { return levels_.at(slot(level)).mask.color(); }
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  struct Level {
+    gl::RenderTarget edges;  // the edge image at the mask's resolution; level 0 uses the detector's own
+    gl::RenderTarget blurredAlongX;
+    gl::RenderTarget mask;
+  };
+  static std::size_t slot(int level) { return static_cast<std::size_t>(level); }
+  void downsample(PassContext& context, const gl::Texture2D& source, gl::RenderTarget& target);
+  void blur(PassContext& context, const gl::Texture2D& source, float variance, int finerRatio,
+            GLuint finerMask, Level& level);
+
+  gl::Program downsampleProgram_;
+  gl::Program blurProgram_;
+  gl::UniformBuffer<params::MaskBlurParams> params_;
+  std::array<Level, kMaxLevels - 1> levels_;
+};
+
+}  // namespace mres

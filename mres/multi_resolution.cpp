@@ -1,0 +1,217 @@
+#include "mres/multi_resolution.h"
+
+#include <map>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string_view>
+
+#include "mres/composite/composite_pass.h"
+#include "mres/debug/debug_view_pass.h"
+#include "mres/gl/state_guard.h"
+#include "mres/gl/uniform_buffer.h"
+#include "mres/level/coverage.h"
+#include "mres/level/depth_pyramid.h"
+#include "mres/level/effect_pass.h"
+#include "mres/level/frame_params.h"
+#include "mres/level/pass_context.h"
+#include "mres/mask/edge_pass.h"
+#include "mres/mask/mask_pass.h"
+#include "mres/mask/stencil_pass.h"
+#include "mres/plan/level_plan.h"
+
+namespace mres {
+
+std::span<const gl::ShaderFile> embeddedShaders();
+
+namespace {
+
+/// The passes that all effects share; compiled together, so that a reload replaces all or none.
+struct SharedPasses {
+  explicit SharedPasses(const gl::ShaderLibrary& library)
+      : pyramid(library), edges(library), masks(library), stencil(library) {}
+
+  DepthPyramid pyramid;
+  EdgePass edges;
+  MaskPass masks;
+  StencilPass stencil;
+};
+
+/// The passes of one effect.
+struct EffectPasses {
+  EffectPasses(const gl::ShaderLibrary& library, Effect& owner)
+      : effect(library, owner), composite(library, owner.description()) {}
+
+  EffectPass effect;
+  CompositePass composite;
+};
+
+}  // namespace
+
+struct MultiResolution::Implementation {
+  explicit Implementation(const Options& options) : measureCoverage(options.measureCoverage) {
+    context.profiler = gl::Profiler(options.profiling);
+    context.library.add(embeddedShaders());
+    context.library.setDirectory(options.shaderDirectory);
+    shared.emplace(context.library);
+  }
+
+  GLuint render(Effect& effect, const Frame& frame);
+  GLuint debugView(DebugView view);
+  EffectPasses& passesOf(Effect& effect);
+  void bindFrame(const Frame& frame, const params::FrameParams& params);
+  void uploadLevels(EffectPass& effect, glm::ivec2 fullSize);
+  void renderLevels(EffectPasses& passes);
+  void drawEffect(EffectPass& effect, std::size_t planned);
+  void fillReport(const EffectPasses& passes);
+
+  Settings settings;
+  bool measureCoverage;
+  PassContext context;
+  gl::UniformBuffer<params::FrameParams> frameBlock;
+  std::optional<SharedPasses> shared;
+  std::map<std::string_view, EffectPasses> effects;
+  std::optional<DebugViewPass> debugViewPass;
+  CoverageQueries coverage;
+  LevelPlan plan;
+  Report report;
+};
+
+EffectPasses& MultiResolution::Implementation::passesOf(Effect& effect) {
+  const std::string_view name = effect.description().name;
+  if (const auto found = effects.find(name); found != effects.end()) return found->second;
+  return effects.try_emplace(name, context.library, effect).first->second;
+}
+
+void MultiResolution::Implementation::bindFrame(const Frame& frame, const params::FrameParams& params) {
+  frameBlock.upload(params);
+  frameBlock.bind(kFrameBlock);
+  gl::bindTexture(kDepthUnit, frame.depth, context.nearest);
+  gl::bindTexture(kNormalUnit, frame.normals, context.nearest);
+}
+
+void MultiResolution::Implementation::uploadLevels(EffectPass& effect, glm::ivec2 fullSize) {
+  for (std::size_t i = 0; i < plan.levels.size(); ++i) {
+    const PlannedLevel& level = plan.levels[i];
+    const PlannedLevel* coarser = i + 1 < plan.levels.size() ? &plan.levels[i + 1] : nullptr;
+    LevelTargets& targets = effect.targets(level.index);
+    targets.ensure(effect.effect(), level.size, coarser != nullptr);
+    targets.params().upload(levelParams(level, coarser, fullSize));
+  }
+}
+
+GLuint MultiResolution::Implementation::render(Effect& effect, const Frame& frame) {
+  const params::FrameParams params = frameParams(frame);
+  const gl::StateGuard guard;
+  context.profiler.beginFrame();
+  EffectPasses& passes = passesOf(effect);
+  plan = planLevels(settings.technique, effect.levels(), frame.size);
+  uploadLevels(passes.effect, frame.size);
+  bindFrame(frame, params);
+  if (effect.description().readsPyramid) shared->pyramid.draw(context, frame.size);
+  if (plan.levels.size() > 1) {
+    shared->edges.draw(context, settings.mask, params);
+    shared->masks.draw(context, shared->edges.edges(), plan);
+  }
+  effect.bind();
+  renderLevels(passes);
+  context.profiler.endFrame();
+  fillReport(passes);
+  return passes.effect.targets(plan.levels.front().index).composed().color().id();
+}
+
+void MultiResolution::Implementation::renderLevels(EffectPasses& passes) {
+  if (measureCoverage) coverage.beginFrame(plan);
+  for (std::size_t i = plan.levels.size(); i-- > 0;) {
+    LevelTargets& targets = passes.effect.targets(plan.levels[i].index);
+    targets.params().bind(kLevelBlock);
+    const bool coarsest = i + 1 == plan.levels.size();
+    if (coarsest) {
+      drawEffect(passes.effect, i);
+      passes.composite.drawCoarsest(context, targets);
+    } else {
+      const gl::Texture2D& mask = shared->masks.mask(plan.levels[i].index);
+      const LevelTargets& coarser = passes.effect.targets(plan.levels[i + 1].index);
+      shared->stencil.draw(context, targets.raw(), mask);
+      drawEffect(passes.effect, i);
+      passes.composite.draw(context, targets, coarser.composed().color(), mask);
+    }
+  }
+}
+
+void MultiResolution::Implementation::drawEffect(EffectPass& effect, std::size_t planned) {
+  const int level = plan.levels[planned].index;
+  const bool zoned = planned + 1 < plan.levels.size();
+  if (effect.effect().readsPyramid) {
+    gl::bindTexture(kSourceUnit, shared->pyramid.texture().id(), context.nearestMip);
+  }
+  if (measureCoverage) coverage.beginLevel(level);
+  effect.draw(context, level, zoned);
+  if (measureCoverage) coverage.endLevel();
+}
+
+void MultiResolution::Implementation::fillReport(const EffectPasses& passes) {
+  report.technique = plan.levels.size() > 1 ? Technique::multiResolution : Technique::full;
+  report.levels.clear();
+  for (const PlannedLevel& level : plan.levels) {
+    report.levels.push_back({level.index, level.size, coverage.of(level.index)});
+  }
+  report.skipped = plan.skipped;
+  report.stages = context.profiler.stages();
+  report.bytes =
+      passes.effect.bytes() + shared->pyramid.bytes() + shared->edges.bytes() + shared->masks.bytes();
+}
+
+GLuint MultiResolution::Implementation::debugView(DebugView view) {
+  if (plan.levels.empty())
+    throw std::logic_error("debugView() shows the last render(); call render() first.");
+  const gl::StateGuard guard;
+  if (!debugViewPass) debugViewPass.emplace(context.library);
+  const glm::ivec2 size = plan.levels.front().size;
+  const bool levels = view == DebugView::levels;
+  return (levels ? debugViewPass->drawLevels(context, shared->masks, plan)
+                 : debugViewPass->drawEdges(context, shared->edges.edges(), size))
+      .id();
+}
+
+MultiResolution::MultiResolution(Options options) {
+  const gl::StateGuard guard;
+  implementation_ = std::make_unique<Implementation>(options);
+}
+MultiResolution::~MultiResolution() = default;
+MultiResolution::MultiResolution(MultiResolution&&) noexcept = default;
+MultiResolution& MultiResolution::operator=(MultiResolution&&) noexcept = default;
+
+Settings& MultiResolution::settings() {
+  return implementation_->settings;
+}
+
+GLuint MultiResolution::render(Effect& effect, const Frame& frame) {
+  return implementation_->render(effect, frame);
+}
+
+const Report& MultiResolution::report() const {
+  return implementation_->report;
+}
+
+GLuint MultiResolution::debugView(DebugView view) {
+  return implementation_->debugView(view);
+}
+
+void MultiResolution::setProfiling(gl::Profiler::Mode mode) {
+  implementation_->context.profiler.setMode(mode);
+}
+
+void MultiResolution::reloadShaders() {
+  const gl::StateGuard guard;
+  implementation_->shared.emplace(SharedPasses(implementation_->context.library));
+  implementation_->effects.clear();
+  implementation_->debugViewPass.reset();
+}
+
+void MultiResolution::fillTargets(float value) {
+  const gl::StateGuard guard;
+  for (const auto& [name, passes] : implementation_->effects) passes.effect.fillTargets(value);
+}
+
+}  // namespace mres

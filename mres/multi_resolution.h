@@ -1,0 +1,69 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "mres/effect.h"
+#include "mres/frame.h"
+#include "mres/report.h"
+#include "mres/settings.h"
+
+namespace mres {
+
+/// Fixed for the life of a MultiResolution.
+struct Options {
+  gl::Profiler::Mode profiling = gl::Profiler::Mode::off;
+  bool measureCoverage =
+      false;  ///< Occlusion queries around the effect; the host must have none of its own active.
+  std::string shaderDirectory;  ///< Shader files found below it win over the embedded ones. Empty: none.
+};
+
+/// What debugView() shows, as RGBA8 pictures of the full resolution.
+enum class DebugView {
+  edges,  ///< red normals, green depth
+  levels  ///< the finest level that renders each pixel: red full, green half, blue quarter, black eighth
+};
+
+/// Renders effects at the resolution that each part of the screen needs (Besenthal, Maisch and Ropinski,
+/// "Multi-Resolution Rendering for Computationally Expensive Lighting Effects", 2019).
+///
+/// Belongs to the OpenGL context (3.3 core or later) current when it is made; that context must be current in
+/// every call and when it is destroyed. Leaves all OpenGL state as it found it.
+class MultiResolution {
+ public:
+  /// Throws std::runtime_error if the driver rejects a shader.
+  explicit MultiResolution(Options options = {});
+  ~MultiResolution();
+  MultiResolution(MultiResolution&&) noexcept;
+  MultiResolution& operator=(MultiResolution&&) noexcept;
+
+  Settings& settings();
+
+  /// Renders `effect` for `frame` and returns the texture of its values: GL_R16F or GL_RGBA16F, frame.size
+  /// texels, valid until the next render() of an effect of the same name. Throws std::invalid_argument for a
+  /// frame that cannot be rendered, std::runtime_error if the driver rejects a shader or a target.
+  GLuint render(Effect& effect, const Frame& frame);
+
+  /// What the last render() did.
+  [[nodiscard]] const Report& report() const;
+
+  /// A picture of how the last render() decided; valid until the next call. Throws std::logic_error before
+  /// the first render().
+  GLuint debugView(DebugView view);
+
+  /// Changes how stages are timed, from the next render() on.
+  void setProfiling(gl::Profiler::Mode mode);
+
+  /// Compiles all shaders anew, from Options::shaderDirectory where they are there. Throws std::runtime_error
+  /// with the compiler's words and keeps the old ones if a shader is wrong.
+  void reloadShaders();
+
+  /// Fills every texture that an effect renders into, e.g. with NaN, to prove that nothing undefined is read.
+  void fillTargets(float value);
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace mres

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "mres/effect.h"
+#include "mres/report.h"
+#include "mres/settings.h"
+
+namespace mres {
+
+/// A level that a frame renders.
+struct PlannedLevel {
+  int index = 0;  ///< 0 full, 1 half, 2 quarter, 3 eighth
+  glm::ivec2 size{0};
+  LevelSettings settings;
+};
+
+/// Which levels a frame renders, finest first; the last covers the whole screen.
+struct LevelPlan {
+  std::vector<PlannedLevel> levels;
+  std::vector<Skip> skipped;
+};
+
+/// ceil(size / 2^level).
+glm::ivec2 levelSize(glm::ivec2 fullSize, int level);
+
+/// Chooses the levels: those that the effect uses and that are large enough to be worth a pass.
+/// Technique::full, or a screen too small for a second level, gives level 0 alone.
+LevelPlan planLevels(Technique technique, const LevelTable& table, glm::ivec2 fullSize);
+
+}  // namespace mres

@@ -1,0 +1,17 @@
+// One resolution level: read by C++ and GLSL.
+#pragma once
+#include "common/params.h"
+
+BEGIN_PARAMS
+
+UNIFORM_BLOCK(LevelParams) {
+    ivec2 levelSize;       // pixels of this level
+    int levelStride;       // 2^level: full-resolution pixels per pixel of this level
+    int levelHalfStride;   // half of it, 0 for full resolution
+    vec2 coarserFromPixel; // texture coordinate in the coarser level per full-resolution pixel
+    vec2 maskFromPixel;    // texture coordinate in the mask per full-resolution pixel
+    float blendWeight;     // w_i of equation 1, [1, 1000]
+    float filterTolerance; // off-plane distance over view depth up to which the filter trusts a neighbour
+};
+
+END_PARAMS

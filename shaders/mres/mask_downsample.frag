@@ -1,0 +1,16 @@
+#version 330 core
+// Halves the edge image: a texel is an edge if any of the four below it is (the maximum), from any source.
+uniform sampler2D sourceTexture;
+
+out float fragment;
+
+float edgeAt(ivec2 texel) {
+    vec2 edges = texelFetch(sourceTexture, min(texel, textureSize(sourceTexture, 0) - 1), 0).rg;
+    return max(edges.r, edges.g);
+}
+
+void main() {
+    ivec2 corner = ivec2(gl_FragCoord.xy) * 2;
+    fragment = max(max(edgeAt(corner), edgeAt(corner + ivec2(1, 0))),
+                   max(edgeAt(corner + ivec2(0, 1)), edgeAt(corner + ivec2(1, 1))));
+}

@@ -1,0 +1,25 @@
+// What an effect's shade() is given, and what it may call.
+#include "mres/frame.glsl"
+#include "mres/level.glsl"
+
+struct Surface {
+    vec3 position;     // view space, metres
+    vec3 normal;       // view space, unit length
+    float depth;       // view depth, metres
+    vec2 pixel;        // full-resolution pixel coordinates, centres at + 0.5
+    ivec2 levelPixel;  // the level's own pixel, for repeating patterns
+    bool background;   // no surface here: what shade() returns is replaced
+};
+
+Surface fetchSurface(ivec2 levelPixel) {
+    ivec2 fullPixel = representativePixel(levelPixel, size);
+    float windowDepth = texelFetch(depthTexture, fullPixel, 0).r;
+    Surface surface;
+    surface.background = windowDepth == backgroundDepth;
+    surface.pixel = vec2(fullPixel) + 0.5;
+    surface.levelPixel = levelPixel;
+    surface.depth = viewDepthOf(windowDepth);
+    surface.position = unproject(surface.pixel, surface.depth);
+    surface.normal = viewNormal(fullPixel);
+    return surface;
+}

@@ -1,0 +1,13 @@
+#version 330 core
+// Outside of a level's zone its picture is the coarser level's, bilinearly upsampled.
+#include "mres/frame_params.h"
+#include "mres/level.glsl"
+
+uniform sampler2D coarserTexture;
+
+out vec4 fragment;
+
+void main() {
+    ivec2 fullPixel = representativePixel(ivec2(gl_FragCoord.xy), size);
+    fragment = texture(coarserTexture, coarserCoordinate(fullPixel));
+}
