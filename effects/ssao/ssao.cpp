@@ -15,20 +15,12 @@ std::span<const gl::ShaderFile> embeddedShaders();
 
 namespace {
 
-/// Samples nearer than 2^3 pixels read the full resolution; farther ones a mip that keeps them about as many
-/// texels apart.
-constexpr float kMipOffset = 3.0f;
-
-constexpr int kPyramidLevels = 6;
-
 params::SsaoParams makeParams(const SsaoSettings& settings) {
   params::SsaoParams params{};
   params.radius = settings.radius;
   params.bias = settings.bias;
   params.intensity = settings.intensity;
   params.sampleCount = settings.samples;
-  params.pyramidLevels = kPyramidLevels;
-  params.mipOffset = kMipOffset;
   int index = 0;
   for (const glm::vec3 point : hemispherePoints(settings.samples, settings.seed)) {
     params.samples[index++] = glm::vec4(point, std::log2(glm::length(point)));
