@@ -48,6 +48,8 @@ Texture2D::Texture2D(GLenum internalFormat, glm::ivec2 size, const char* label, 
                      const void* pixels)
     : name_(TextureName::create()), internalFormat_(internalFormat), size_(size), levels_(levels) {
   const FormatInfo info = formatInfo(internalFormat);
+  GLint bound = 0;
+  glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
   glBindTexture(GL_TEXTURE_2D, name_.id());
   for (int level = 0; level < levels; ++level) {
     const glm::ivec2 levelSize = glm::max(size >> level, glm::ivec2(1));
@@ -57,6 +59,7 @@ Texture2D::Texture2D(GLenum internalFormat, glm::ivec2 size, const char* label, 
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 0);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, levels - 1);
   setLabel(GL_TEXTURE, name_.id(), label);
+  glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(bound));
 }
 
 std::size_t Texture2D::bytes() const {

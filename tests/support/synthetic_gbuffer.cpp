@@ -1,0 +1,127 @@
+#include "tests/support/synthetic_gbuffer.h"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace mres::test {
+namespace {
+
+double windowDepthOf(const glm::dmat4& projection, glm::dvec3 position) {
+  const glm::dvec4 clip = projection * glm::dvec4(position, 1.0);
+  return 0.5 * clip.z / clip.w + 0.5;
+}
+
+/// The ray of a pixel: through the eye for perspective, parallel for orthographic projections.
+std::pair<glm::dvec3, glm::dvec3> rayOf(const glm::dmat4& p, glm::dvec2 ndc) {
+  if (p[2][3] != 0.0) {
+    return {glm::dvec3(0.0), glm::dvec3((ndc.x + p[2][0]) / p[0][0], (ndc.y + p[2][1]) / p[1][1], -1.0)};
+  }
+  return {glm::dvec3((ndc.x - p[3][0]) / p[0][0], (ndc.y - p[3][1]) / p[1][1], 0.0), glm::dvec3(0.0, 0.0, -1.0)};
+}
+
+}  // namespace
+
+SyntheticGBuffer::SyntheticGBuffer(glm::ivec2 size, const glm::mat4& projection, const RayCaster& scene) {
+  const glm::dmat4 p(projection);
+  const auto count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+  std::vector<float> depths(count, 1.0f);
+  std::vector<glm::vec4> normals(count, glm::vec4(0.0f));
+  for (int y = 0; y < size.y; ++y) {
+    for (int x = 0; x < size.x; ++x) {
+      const glm::dvec2 ndc = (glm::dvec2(x, y) + 0.5) / glm::dvec2(size) * 2.0 - 1.0;
+      const auto [origin, direction] = rayOf(p, ndc);
+      const std::optional<Hit> hit = scene(origin, direction);
+      if (!hit) continue;
+      const auto index = static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
+      depths[index] = static_cast<float>(windowDepthOf(p, origin + direction * hit->viewDepth));
+      normals[index] = glm::vec4(hit->normal, 0.0);
+    }
+  }
+  depth_ = gl::Texture2D(GL_DEPTH_COMPONENT32F, size, "test.depth", 1, depths.data());
+  normals_ = gl::Texture2D(GL_RGBA32F, size, "test.normals", 1, normals.data());
+  frame_ = {.depth = depth_.id(),
+            .normals = normals_.id(),
+            .size = size,
+            .projection = projection,
+            .normalSpace = NormalSpace::view,
+            .normalEncoding = NormalEncoding::signedXyz};
+}
+
+RayCaster plane(glm::dvec3 normal, double offset) {
+  normal = glm::normalize(normal);
+  return [=](glm::dvec3 origin, glm::dvec3 direction) -> std::optional<Hit> {
+    const double along = glm::dot(normal, direction);
+    const double distance = (offset - glm::dot(normal, origin)) / along;
+    if (along == 0.0 || distance <= 0.0) return std::nullopt;
+    return Hit{distance, along < 0.0 ? normal : -normal};
+  };
+}
+
+RayCaster nearest(std::vector<RayCaster> scenes) {
+  return [scenes = std::move(scenes)](glm::dvec3 origin, glm::dvec3 direction) {
+    std::optional<Hit> best;
+    for (const RayCaster& scene : scenes) {
+      const std::optional<Hit> hit = scene(origin, direction);
+      if (hit && (!best || hit->viewDepth < best->viewDepth)) best = hit;
+    }
+    return best;
+  };
+}
+
+RayCaster sphere(glm::dvec3 centre, double radius) {
+  return [=](glm::dvec3 origin, glm::dvec3 direction) -> std::optional<Hit> {
+    const glm::dvec3 offset = origin - centre;
+    const double a = glm::dot(direction, direction);
+    const double b = glm::dot(offset, direction);
+    const double discriminant = b * b - a * (glm::dot(offset, offset) - radius * radius);
+    if (discriminant < 0.0) return std::nullopt;
+    const double distance = (-b - std::sqrt(discriminant)) / a;
+    if (distance <= 0.0) return std::nullopt;
+    return Hit{distance, (offset + direction * distance) / radius};
+  };
+}
+
+RayCaster box(glm::dvec3 min, glm::dvec3 max) {
+  return [=](glm::dvec3 origin, glm::dvec3 direction) -> std::optional<Hit> {
+    double enter = 0.0;
+    double leave = std::numeric_limits<double>::infinity();
+    glm::dvec3 enterNormal(0.0);
+    glm::dvec3 leaveNormal(0.0);
+    for (int axis = 0; axis < 3; ++axis) {
+      const double toMin = (min[axis] - origin[axis]) / direction[axis];
+      const double toMax = (max[axis] - origin[axis]) / direction[axis];
+      glm::dvec3 facing(0.0);
+      facing[axis] = direction[axis] > 0.0 ? -1.0 : 1.0;
+      if (std::min(toMin, toMax) > enter) {
+        enter = std::min(toMin, toMax);
+        enterNormal = facing;
+      }
+      if (std::max(toMin, toMax) < leave) {
+        leave = std::max(toMin, toMax);
+        leaveNormal = facing;
+      }
+    }
+    if (enter > leave) return std::nullopt;
+    const bool inside = enter <= 0.0;
+    return Hit{inside ? leave : enter, inside ? leaveNormal : enterNormal};
+  };
+}
+
+RayCaster room() {
+  std::vector<RayCaster> scenes{box({-4.0, -1.5, -9.0}, {4.0, 2.5, 1.0})};
+  for (int i = 0; i < 20; ++i) {
+    const double x = -3.6 + 7.2 * std::fmod(i * 0.618034, 1.0);
+    const double z = -2.5 - 6.0 * std::fmod(i * 0.754878, 1.0);
+    const double side = 0.1 + 0.4 * std::fmod(i * 0.569840, 1.0);
+    if (i % 3 == 0) {
+      scenes.push_back(sphere({x, -1.5 + side, z}, side));
+    } else {
+      scenes.push_back(box({x - side, -1.5, z - side}, {x + side, -1.5 + 2.0 * side, z + side}));
+    }
+  }
+  return nearest(std::move(scenes));
+}
+
+}  // namespace mres::test
