@@ -21,7 +21,7 @@ void writeImage(const std::filesystem::path& path, const FloatImage& image);
 /// Reads any image OpenImageIO can, as floating point.
 FloatImage readImage(const std::filesystem::path& path);
 
-/// The linear-to-sRGB transfer function, per channel.
+/// The linear-to-sRGB transfer function, per channel; alpha stays as it is.
 FloatImage encodeSrgb(FloatImage image);
 
 }  // namespace host

@@ -57,8 +57,8 @@ struct TextureUse {
 struct Material {
   std::string name;
   glm::vec4 baseColor{1.0f};
-  float metallic = 1.0f;   ///< 0..1
-  float roughness = 1.0f;  ///< 0..1, perceptual
+  float metallic = 1.0f;     ///< 0..1
+  float roughness = 1.0f;    ///< 0..1, perceptual
   glm::vec3 emissive{0.0f};  ///< linear radiance, may exceed 1
   float normalScale = 1.0f;
   TextureUse baseColorTexture;          ///< sRGB, alpha in A
@@ -83,11 +83,11 @@ struct Light {
   std::string name;
   LightType type = LightType::directional;
   glm::vec3 color{1.0f};
-  float intensity = 1.0f;                ///< lux for directional lights, candela for the others
-  float range = 0.0f;                    ///< metres; 0 is unlimited
-  glm::vec3 position{0.0f};              ///< unused by directional lights
+  float intensity = 1.0f;                  ///< lux for directional lights, candela for the others
+  float range = 0.0f;                      ///< metres; 0 is unlimited
+  glm::vec3 position{0.0f};                ///< unused by directional lights
   glm::vec3 direction{0.0f, -1.0f, 0.0f};  ///< the way the light travels; unused by point lights
-  float innerConeAngle = 0.0f;           ///< radians, from the axis
+  float innerConeAngle = 0.0f;             ///< radians, from the axis
   float outerConeAngle = 0.7853982f;
 };
 
@@ -125,6 +125,7 @@ struct Scene {
   std::vector<Camera> cameras;
   Sky sky;
   glm::vec3 ambient{0.3f};  ///< constant ambient radiance inside the scene, dimmed by ambient occlusion
+  std::vector<std::string> warnings;  ///< what a file's loader had to leave out or guess, a sentence each
 };
 
 /// Triangles drawn: those of each mesh times its instances.

@@ -1,0 +1,165 @@
+#include "host/image/image_file.h"
+
+#include <OpenImageIO/imageio.h>
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <fmt/format.h>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <unistd.h>
+
+namespace host {
+namespace {
+
+struct Format {
+  const char* name;  ///< OpenImageIO's
+  OIIO::TypeDesc pixelType;
+  const char* colorSpace;
+};
+
+Format formatFor(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  if (extension == ".png") return {"png", OIIO::TypeDesc::UINT8, "sRGB"};
+  if (extension == ".exr") return {"openexr", OIIO::TypeDesc::HALF, "Linear"};
+  throw std::runtime_error(fmt::format("can't write '{}': its name must end in .png or .exr", path.string()));
+}
+
+/// A file that is removed unless it is renamed to its final place.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(std::filesystem::path place) : place_(std::move(place)) {
+    path_ = place_;
+    path_ += fmt::format(".{}.tmp", ::getpid());
+  }
+  ~TemporaryFile() {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  std::string path() const { return path_.string(); }
+  void moveIntoPlace() const { std::filesystem::rename(path_, place_); }
+
+ private:
+  std::filesystem::path place_;
+  std::filesystem::path path_;
+};
+
+OIIO::ImageSpec specFor(const FloatImage& image, const Format& format) {
+  OIIO::ImageSpec spec(image.size.x, image.size.y, image.channels, format.pixelType);
+  spec.attribute("oiio:ColorSpace", format.colorSpace);
+  spec.attribute("oiio:UnassociatedAlpha", 1);  // the values are stored as they are
+  return spec;
+}
+
+/// OpenImageIO clamps to the range of integers and rounds; what it makes of NaN is not defined.
+std::vector<float> withoutNan(std::vector<float> pixels) {
+  std::replace_if(
+      pixels.begin(), pixels.end(), [](float value) { return std::isnan(value); }, 0.0f);
+  return pixels;
+}
+
+void encode(const std::string& path, const FloatImage& image, const Format& format) {
+  const auto output = OIIO::ImageOutput::create(format.name);
+  if (!output) throw std::runtime_error(OIIO::geterror());
+  const bool isInteger = format.pixelType == OIIO::TypeDesc::UINT8;
+  const std::vector<float> sanitized = isInteger ? withoutNan(image.pixels) : std::vector<float>();
+  const std::vector<float>& pixels = isInteger ? sanitized : image.pixels;
+  const bool written = output->open(path, specFor(image, format)) &&
+                       output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()) && output->close();
+  if (!written) throw std::runtime_error(output->geterror());
+}
+
+void checkFolder(const std::filesystem::path& path) {
+  const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(folder, ignored)) {
+    throw std::runtime_error(fmt::format("the folder '{}' does not exist; create it", folder.string()));
+  }
+  if (::access(folder.c_str(), W_OK) != 0) {
+    throw std::runtime_error(fmt::format("the folder '{}' is not writable; choose another", folder.string()));
+  }
+  if (std::filesystem::is_directory(path, ignored))
+    throw std::runtime_error("it is a folder; add a file name");
+}
+
+void checkImage(const FloatImage& image) {
+  const bool hasShape = image.size.x > 0 && image.size.y > 0 &&
+                        (image.channels == 1 || image.channels == 3 || image.channels == 4);
+  const std::size_t expected =
+      hasShape ? std::size_t(image.size.x) * std::size_t(image.size.y) * std::size_t(image.channels) : 0;
+  if (expected == 0 || image.pixels.size() != expected) {
+    throw std::runtime_error(fmt::format("{} x {} pixels of {} channels are no picture", image.size.x,
+                                         image.size.y, image.channels));
+  }
+}
+
+/// Two channels are grey and alpha; beyond four, the rest is not colour.
+FloatImage withUsualChannels(FloatImage image) {
+  if (image.channels != 2) return image;
+  FloatImage rgba{image.size, 4, {}};
+  rgba.pixels.reserve(image.pixels.size() * 2);
+  for (std::size_t i = 0; i + 1 < image.pixels.size(); i += 2) {
+    const float grey = image.pixels[i];
+    rgba.pixels.insert(rgba.pixels.end(), {grey, grey, grey, image.pixels[i + 1]});
+  }
+  return rgba;
+}
+
+FloatImage decode(const std::filesystem::path& path) {
+  OIIO::ImageSpec config;
+  config.attribute("oiio:UnassociatedAlpha", 1);
+  const auto input = OIIO::ImageInput::open(path.string(), &config);
+  if (!input) throw std::runtime_error(OIIO::geterror());
+  const OIIO::ImageSpec& spec = input->spec();
+  FloatImage image{{spec.width, spec.height}, std::min(spec.nchannels, 4), {}};
+  image.pixels.resize(std::size_t(spec.width) * std::size_t(spec.height) * std::size_t(image.channels));
+  if (!input->read_image(0, 0, 0, image.channels, OIIO::TypeDesc::FLOAT, image.pixels.data())) {
+    throw std::runtime_error(input->geterror());
+  }
+  return withUsualChannels(std::move(image));
+}
+
+/// IEC 61966-2-1.
+float srgbFromLinear(float linear) {
+  if (!(linear > 0.0031308f)) return 12.92f * linear;
+  return 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
+}
+
+}  // namespace
+
+void writeImage(const std::filesystem::path& path, const FloatImage& image) {
+  const Format format = formatFor(path);
+  try {
+    checkImage(image);
+    checkFolder(path);
+    const TemporaryFile file(path);
+    encode(file.path(), image, format);
+    file.moveIntoPlace();
+  } catch (const std::exception& error) {
+    throw std::runtime_error(fmt::format("can't write '{}': {}", path.string(), error.what()));
+  }
+}
+
+FloatImage readImage(const std::filesystem::path& path) {
+  try {
+    return decode(path);
+  } catch (const std::exception& error) {
+    throw std::runtime_error(fmt::format("can't read the image '{}': {}", path.string(), error.what()));
+  }
+}
+
+FloatImage encodeSrgb(FloatImage image) {
+  const int colors = std::min(image.channels, 3);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    if (int(i % std::size_t(image.channels)) < colors) image.pixels[i] = srgbFromLinear(image.pixels[i]);
+  }
+  return image;
+}
+
+}  // namespace host
