@@ -7,11 +7,14 @@
 namespace host::egl {
 namespace {
 
-bool clientHas(const char* extension) { return epoxy_has_egl_extension(EGL_NO_DISPLAY, extension); }
+bool clientHas(const char* extension) {
+  return epoxy_has_egl_extension(EGL_NO_DISPLAY, extension);
+}
 
 void addSurfaceless(std::vector<Display>& displays) {
   if (!clientHas("EGL_MESA_platform_surfaceless")) return;
-  const EGLDisplay display = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+  const EGLDisplay display =
+      eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
   if (display != EGL_NO_DISPLAY) displays.push_back({display, "EGL surfaceless"});
 }
 

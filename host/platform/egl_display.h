@@ -2,7 +2,6 @@
 #pragma once
 
 #include <epoxy/egl.h>
-
 #include <string>
 #include <vector>
 

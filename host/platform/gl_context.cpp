@@ -1,9 +1,8 @@
 #include "host/platform/gl_context.h"
 
+#include <array>
 #include <epoxy/gl.h>
 #include <fmt/format.h>
-
-#include <array>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -16,8 +15,8 @@ namespace {
 constexpr const char* kAdvice =
     "install a driver for OpenGL 3.3 (on Debian, libegl1 and libgl1-mesa-dri bring a software one)";
 
-/// A context on a display. The display itself is never terminated: EGL shares it with every other context of the
-/// process, and gives no count of its users.
+/// A context on a display. The display itself is never terminated: EGL shares it with every other context of
+/// the process, and gives no count of its users.
 class EglContext {
  public:
   EglContext(EGLDisplay display, EGLContext context) : display_(display), context_(context) {}
@@ -89,7 +88,8 @@ std::string versionOnOffer(EGLDisplay display) {
 }
 
 /// Makes a context on one display current, or says in `reason` why it can't.
-std::optional<EglContext> tryDisplay(const egl::Display& display, GlContext::Debug debug, std::string& reason) {
+std::optional<EglContext> tryDisplay(const egl::Display& display, GlContext::Debug debug,
+                                     std::string& reason) {
   if (eglInitialize(display.handle, nullptr, nullptr) == EGL_FALSE) {
     reason = fmt::format("{} does not start ({})", display.platform, egl::errorName(eglGetError()));
     return std::nullopt;
@@ -105,8 +105,8 @@ std::optional<EglContext> tryDisplay(const egl::Display& display, GlContext::Deb
     return std::nullopt;
   }
   if (!context->makeCurrent()) {
-    reason = fmt::format("{} cannot draw without a window ({})", display.platform,
-                         egl::errorName(eglGetError()));
+    reason =
+        fmt::format("{} cannot draw without a window ({})", display.platform, egl::errorName(eglGetError()));
     return std::nullopt;
   }
   if (epoxy_gl_version() < 33) {  // a driver may hand out less than was asked for
@@ -123,8 +123,8 @@ bool isSoftware(const std::string& renderer) {
   return false;
 }
 
-void GLAPIENTRY keepError(GLenum /*source*/, GLenum type, GLuint /*id*/, GLenum /*severity*/, GLsizei /*length*/,
-                          const GLchar* message, const void* errors) {
+void GLAPIENTRY keepError(GLenum /*source*/, GLenum type, GLuint /*id*/, GLenum /*severity*/,
+                          GLsizei /*length*/, const GLchar* message, const void* errors) {
   if (type != GL_DEBUG_TYPE_ERROR) return;
   // The callback's user pointer is const by its signature; it is ours and points to a mutable list.
   static_cast<std::vector<std::string>*>(const_cast<void*>(errors))->emplace_back(message);
@@ -133,9 +133,9 @@ void GLAPIENTRY keepError(GLenum /*source*/, GLenum type, GLuint /*id*/, GLenum 
 }  // namespace
 
 struct GlContext::Implementation {
+  std::vector<std::string> errors;  // outlives the context, which may still report while it is destroyed
   EglContext context;
   Info info;
-  std::vector<std::string> errors;
 
   void listen() {
     if (epoxy_gl_version() < 43 && !epoxy_has_gl_extension("GL_KHR_debug")) return;
@@ -156,9 +156,9 @@ GlContext::GlContext(Debug debug) {
     }
     const std::string renderer = text(GL_RENDERER);
     implementation_ = std::make_unique<Implementation>(Implementation{
+        {},
         std::move(*context),
-        {renderer, text(GL_VENDOR), text(GL_VERSION), display.platform, isSoftware(renderer)},
-        {}});
+        {renderer, text(GL_VENDOR), text(GL_VERSION), display.platform, isSoftware(renderer)}});
     if (debug == Debug::on) implementation_->listen();
     return;
   }
@@ -168,8 +168,12 @@ GlContext::GlContext(Debug debug) {
 
 GlContext::~GlContext() = default;
 
-const GlContext::Info& GlContext::info() const { return implementation_->info; }
+const GlContext::Info& GlContext::info() const {
+  return implementation_->info;
+}
 
-std::vector<std::string> GlContext::takeErrors() { return std::exchange(implementation_->errors, {}); }
+std::vector<std::string> GlContext::takeErrors() {
+  return std::exchange(implementation_->errors, {});
+}
 
 }  // namespace host

@@ -13,8 +13,8 @@ class GlContext {
   /// Nothing is ever printed.
   enum class Debug { off, on };
 
-  /// Tries EGL's surfaceless platform, then every device of its device platform. Throws std::runtime_error with a
-  /// sentence if there is no device, or its OpenGL is below 3.3.
+  /// Tries EGL's surfaceless platform, then every device of its device platform. Throws std::runtime_error
+  /// with a sentence if there is no device, or its OpenGL is below 3.3.
   explicit GlContext(Debug debug = Debug::off);
   ~GlContext();
   GlContext(const GlContext&) = delete;

@@ -1,48 +1,58 @@
-// The deferred host: shadow map, G-buffer, ambient occlusion through mres, lighting, tone map.
+// The deferred host: shadow map, G-buffer, lighting, transparency, tone map. Ambient occlusion comes from
+// outside, between drawGeometry() and drawLighting().
 #pragma once
 
 #include <memory>
 
-#include "host/image/image_file.h"
+#include "host/renderer/gbuffer_textures.h"
+#include "host/renderer/read_texture.h"
 #include "host/scene/scene.h"
 #include "mres/gl/profiler.h"
 
 namespace host {
 
-/// The G-buffer's textures of the last draw, as any engine would hand them to mres.
-struct GBufferTextures {
-  GLuint depth = 0;             ///< GL_DEPTH_COMPONENT32F, window depth 0..1, 1 is the far plane
-  GLuint albedo = 0;            ///< GL_SRGB8_ALPHA8
-  GLuint normal = 0;            ///< shading normal in world space, GL_RGB10_A2, n * 0.5 + 0.5
-  GLuint geometricNormal = 0;   ///< interpolated vertex normal before normal mapping, same encoding
-  GLuint material = 0;          ///< GL_RGBA8: roughness, metallic, free, free
-  GLuint emissive = 0;          ///< GL_R11F_G11F_B10F
+struct RendererSettings {
+  int shadowMapSize = 2048;           ///< texels, [1, GL_MAX_TEXTURE_SIZE]. Side of the sun's shadow map.
+  float exposureCompensation = 0.0f;  ///< stops, [-10, 10]. Brightens the tone-mapped picture.
 };
 
-/// Renders one scene. Uploads it once; draws any camera at any size.
+/// Renders one scene. Uploads it once; draws any camera at any size. It sets all the OpenGL state that it
+/// needs, and leaves it changed.
 class Renderer {
  public:
-  Renderer(const Scene& scene, mres::gl::Profiler& profiler);
+  /// `profiler` must outlive the renderer; `scene` need not. Throws std::runtime_error with a sentence if the
+  /// device cannot hold the scene.
+  Renderer(const Scene& scene, mres::gl::Profiler& profiler, const RendererSettings& settings = {});
   ~Renderer();
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// Draws shadow map (where not yet done) and G-buffer for `camera`.
+  /// Draws the shadow map (unless it is the same as before) and the G-buffer for `camera`. Throws
+  /// std::runtime_error with a sentence if the device cannot draw pictures of that size.
   const GBufferTextures& drawGeometry(const Camera& camera, glm::ivec2 size);
 
-  /// Lights the G-buffer of the last drawGeometry() into an RGBA16F texture of linear radiance. `ambientOcclusion` is a
-  /// texture of accessibility 0..1 in red, of the same size, that multiplies the ambient term; 0 is none.
+  /// Lights the G-buffer of the last drawGeometry() into an RGBA16F texture of linear radiance, and draws
+  /// transparent surfaces over it. `ambientOcclusion` is a texture of accessibility 0..1 in red, of the same
+  /// size, that multiplies the ambient term; 0 is none.
   GLuint drawLighting(GLuint ambientOcclusion);
 
-  /// Tone maps the lit picture into an sRGB-encoded 8-bit texture of the same size.
+  /// Tone maps the lit picture of the last drawLighting() into an sRGB-encoded RGBA8 texture of the same
+  /// size.
   GLuint drawToneMap();
+
+  /// World to view and view to clip of the last drawGeometry().
+  [[nodiscard]] const glm::mat4& view() const;
+  [[nodiscard]] const glm::mat4& projection() const;
+
+  /// The sun's shadow map: GL_DEPTH_COMPONENT24, one texel for scenes without a sun.
+  [[nodiscard]] GLuint shadowMap() const;
+
+  /// Bytes of the scene and of all targets on the GPU.
+  [[nodiscard]] std::size_t gpuBytes() const;
 
  private:
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;
 };
-
-/// Reads a colour texture back, flipped so that rows run top to bottom.
-FloatImage readTexture(GLuint texture, glm::ivec2 size, int channels);
 
 }  // namespace host
