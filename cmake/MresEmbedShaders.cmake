@@ -13,7 +13,7 @@ function(mres_embed_shaders target function)
   endforeach()
   list(TRANSFORM files PREPEND ${shader_root}/ OUTPUT_VARIABLE paths)
 
-  set(output ${CMAKE_CURRENT_BINARY_DIR}/embedded_shaders.cpp)
+  set(output ${CMAKE_CURRENT_BINARY_DIR}/${target}_shaders.cpp)
   set(script ${mres_SOURCE_DIR}/cmake/embed_shaders.cmake)
   add_custom_command(
     OUTPUT ${output}
