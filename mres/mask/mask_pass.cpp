@@ -34,61 +34,72 @@ params::MaskBlurParams gaussian(float variance) {
   return params;
 }
 
+bool contains(const params::MaskBlurParams& coarser, const params::MaskBlurParams& finer, int ratio) {
+  // Around a lone edge texel the blurred mask is the product of two weights: its support is the square up to
+  // the distance whose weight squared still rounds to more than zero.
+  int solid = 0;
+  while (solid < coarser.radius) {
+    const float next = coarser.weights[(solid + 1) / 4][(solid + 1) % 4];
+    if (static_cast<double>(next) * static_cast<double>(next) < kSmallestWeight) break;
+    ++solid;
+  }
+  return solid * ratio >= finer.radius;
+}
+
 MaskPass::MaskPass(const gl::ShaderLibrary& library)
     : downsampleProgram_(makePassProgram(library, "mres/mask_downsample.frag")),
-      blurProgram_(makePassProgram(library, "mres/mask_blur.frag")) {}
+      blurProgram_(makePassProgram(library, "mres/mask_blur.frag", "#define JOIN_FINER 0\n")),
+      blurJoinProgram_(makePassProgram(library, "mres/mask_blur.frag", "#define JOIN_FINER 1\n")) {}
 
 void MaskPass::draw(PassContext& context, const gl::Texture2D& edges, const LevelPlan& plan) {
   const gl::Scope scope(context.profiler, "mres.masks");
-  const glm::ivec2 fullSize = plan.levels.front().size;
   const gl::Texture2D* source = &edges;
-  int finerLevel = -1;
-  std::size_t planned = 0;
-  for (int index = 0; planned + 1 < plan.levels.size(); ++index) {
-    Level& level = levels_.at(slot(index));
-    if (index > 0) {
-      ensure(level.edges, levelSize(fullSize, index + 1), "mres.edges");
-      downsample(context, *source, level.edges);
-      source = &level.edges.color();
+  const Level* finer = nullptr;
+  int index = 0;
+  for (std::size_t planned = 0; planned + 1 < plan.levels.size(); ++planned) {
+    const PlannedLevel& level = plan.levels[planned];
+    for (; index < level.index; ++index) {
+      source = &edgesOf(context, index + 1, *source, plan.levels.front().size);
     }
-    if (plan.levels[planned].index != index) continue;
-
-    ensure(level.blurredAlongX, source->size(), "mres.masks");
-    ensure(level.mask, source->size(), "mres.masks");
+    Level& masked = levels_.at(slot(level.index));
     // A texel of the mask is two pixels of the level: a variance in pixels^2 is a quarter of it in texels^2.
-    const float variance = plan.levels[planned].settings.maskVariance * 0.25f;
-    const bool first = finerLevel < 0;
-    blur(context, *source, variance, first ? 0 : 1 << (index - finerLevel), first ? 0 : mask(finerLevel).id(),
-         level);
-    finerLevel = index;
-    ++planned;
+    masked.kernel = gaussian(level.settings.maskVariance * 0.25f);
+    masked.kernel.finerRatio = planned == 0 ? 0 : 1 << (level.index - plan.levels[planned - 1].index);
+    blur(context, *source, masked, finer);
+    finer = &masked;
   }
 }
 
-void MaskPass::downsample(PassContext& context, const gl::Texture2D& source, gl::RenderTarget& target) {
-  gl::bindTexture(kSourceUnit, source.id(), context.nearest);
+const gl::Texture2D& MaskPass::edgesOf(PassContext& context, int level, const gl::Texture2D& finerEdges,
+                                       glm::ivec2 fullSize) {
+  gl::RenderTarget& target = levels_.at(slot(level)).edges;
+  ensure(target, levelSize(fullSize, level + 1), "mres.edges");
+  gl::bindTexture(kSourceUnit, finerEdges.id(), context.nearest);
   glUseProgram(downsampleProgram_.id());
   target.bind();
   context.triangle.draw();
+  return target.color();
 }
 
-void MaskPass::blur(PassContext& context, const gl::Texture2D& source, float variance, int finerRatio,
-                    GLuint finerMask, Level& level) {
-  params::MaskBlurParams params = gaussian(variance);
-  glUseProgram(blurProgram_.id());
-  gl::bindTexture(kMaskUnit, finerMask, context.nearest);
-
-  params.axis = {1, 0};
-  params_.upload(params);
+void MaskPass::blur(PassContext& context, const gl::Texture2D& source, Level& level, const Level* finer) {
+  ensure(level.blurredAlongX, source.size(), "mres.masks");
+  ensure(level.mask, source.size(), "mres.masks");
   params_.bind(kPassBlock);
+
+  level.kernel.axis = {1, 0};
+  params_.upload(level.kernel);
   gl::bindTexture(kSourceUnit, source.id(), context.nearest);
+  glUseProgram(blurProgram_.id());
   level.blurredAlongX.bind();
   context.triangle.draw();
 
-  params.axis = {0, 1};
-  params.finerRatio = finerRatio;
-  params_.upload(params);
+  level.kernel.axis = {0, 1};
+  params_.upload(level.kernel);
   gl::bindTexture(kSourceUnit, level.blurredAlongX.color().id(), context.nearest);
+  if (finer != nullptr && !contains(level.kernel, finer->kernel, level.kernel.finerRatio)) {
+    gl::bindTexture(kMaskUnit, finer->mask.color().id(), context.nearest);
+    glUseProgram(blurJoinProgram_.id());
+  }
   level.mask.bind();
   context.triangle.draw();
 }

@@ -14,6 +14,10 @@ namespace mres {
 /// out.
 params::MaskBlurParams gaussian(float variance);
 
+/// Whether a mask blurred by `coarser` is above zero wherever one blurred by `finer`, of `ratio` times the
+/// resolution and from the same edges, is.
+bool contains(const params::MaskBlurParams& coarser, const params::MaskBlurParams& finer, int ratio);
+
 /// Turns the edge image into one mask per level: down-sampled, then blurred by the level's variance. The mask
 /// of level i has the resolution of level i + 1 (a texel is a 2x2 quad of the level's pixels), is GL_R8, and
 /// is above zero wherever the mask of a finer level is.
@@ -33,14 +37,16 @@ class MaskPass {
     gl::RenderTarget edges;  // the edge image at the mask's resolution; level 0 uses the detector's own
     gl::RenderTarget blurredAlongX;
     gl::RenderTarget mask;
+    params::MaskBlurParams kernel;
   };
   static std::size_t slot(int level) { return static_cast<std::size_t>(level); }
-  void downsample(PassContext& context, const gl::Texture2D& source, gl::RenderTarget& target);
-  void blur(PassContext& context, const gl::Texture2D& source, float variance, int finerRatio,
-            GLuint finerMask, Level& level);
+  const gl::Texture2D& edgesOf(PassContext& context, int level, const gl::Texture2D& finerEdges,
+                               glm::ivec2 fullSize);
+  void blur(PassContext& context, const gl::Texture2D& source, Level& level, const Level* finer);
 
   gl::Program downsampleProgram_;
   gl::Program blurProgram_;
+  gl::Program blurJoinProgram_;
   gl::UniformBuffer<params::MaskBlurParams> params_;
   std::array<Level, kMaxLevels - 1> levels_;
 };

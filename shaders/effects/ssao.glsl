@@ -43,25 +43,26 @@ vec4 shade(Surface surface) {
     vec4 clipOrigin = projectDirection(surface.position) + vec4(pixelX.w, pixelY.w, clipW.w, 0.0);
 
     float mipOfRadius = log2(radius * pixelsPerMetre / clipOrigin.z) - kFullResolutionReach;
-    float reach = radius * radius;
+    float fade = 1.0 / (3.0 * radius * radius);
     float rise = radius * bias;
-    ivec2 last = size - 1;
+    float lastMip = float(pyramidLevels - 1);
+    vec2 lastPixel = vec2(size) - 0.5;
 
     float occlusion = 0.0;
     int count = surface.background ? 0 : sampleCount;
     for (int i = 0; i < count; ++i) {
         vec4 point = samples[i];
         vec4 projected = clipOrigin + clipX * point.x + clipY * point.y + clipZ * point.z;
-        int mip = clamp(int(mipOfRadius + point.w), 0, pyramidLevels - 1);
-        ivec2 pixel = clamp(ivec2(projected.xy / projected.z), ivec2(0), last);
-        ivec2 texel = min(pixel >> mip, max(size >> mip, ivec2(1)) - 1);
+        int mip = int(clamp(mipOfRadius + point.w, 0.0, lastMip));
+        ivec2 pixel = ivec2(clamp(projected.xy / projected.z, vec2(0.0), lastPixel));
+        ivec2 texel = min(pixel >> mip, (size >> mip) - 1);
         float depth = texelFetch(depthPyramid, texel, mip).r;
-        ivec2 seen = min((texel << mip) + ((1 << mip) >> 1), last);
-        vec3 toSurface = unproject(vec2(seen) + 0.5, depth) - surface.position;
+        vec2 seen = vec2((texel << mip) + ((1 << mip) >> 1)) + 0.5;
+        vec3 toSurface = unproject(seen, depth) - surface.position;
         float distance2 = dot(toSurface, toSurface);
         bool inFront = depth < projected.w && dot(toSurface, surface.normal) > rise;
         // Surfaces beyond the radius fade out over a second radius: what lies behind them is unknown.
-        float nearness = clamp((4.0 * reach - distance2) / (3.0 * reach), 0.0, 1.0);
+        float nearness = clamp(4.0 / 3.0 - distance2 * fade, 0.0, 1.0);
         occlusion += inFront ? nearness : 0.0;
     }
     float mean = occlusion / float(max(count, 1));

@@ -4,7 +4,7 @@
 //
 // The second derivative is taken of window depth, which is affine in screen space on every plane (perspective or
 // orthographic), so that a plane seen at any angle is exactly zero. Multiplied by the slope of view depth over
-// window depth it becomes metres; the smallest slope of the three pixels is the one of the surface in front.
+// window depth it becomes metres; the smallest slope around is the one of the surface in front.
 #include "mres/frame.glsl"
 #include "mres/edges_params.h"
 
@@ -23,11 +23,13 @@ float metresPerWindowDepth(float windowDepth) {
     return depthSlope.x / (denominator * denominator);
 }
 
-bool isDepthEdge(float before, float here, float after) {
-    float secondDifference = abs((before - here) + (after - here));
-    if (secondDifference <= depthRounding.x + depthRounding.y * here) return false;
-    float slope = min(metresPerWindowDepth(here), min(metresPerWindowDepth(before), metresPerWindowDepth(after)));
-    return secondDifference * slope > depthThreshold;
+float secondDifference(float before, float here, float after) {
+    return abs((before - here) + (after - here));
+}
+
+// The two second differences of four pixels in a row.
+float bend(float a, float b, float c, float d) {
+    return max(secondDifference(a, b, c), secondDifference(b, c, d));
 }
 
 // Background has no normal (length zero): its borders are depth edges.
@@ -37,19 +39,21 @@ bool isNormalEdge(vec3 a, vec3 b) {
 }
 
 bool hasDepthEdge(ivec2 corner) {
-    float centre[4] = float[4](depthAt(corner), depthAt(corner + ivec2(1, 0)), depthAt(corner + ivec2(0, 1)),
-                               depthAt(corner + ivec2(1, 1)));
-    for (int i = 0; i < 2; ++i) {
-        float left = depthAt(corner + ivec2(-1, i));
-        float right = depthAt(corner + ivec2(2, i));
-        float below = depthAt(corner + ivec2(i, -1));
-        float above = depthAt(corner + ivec2(i, 2));
-        if (isDepthEdge(left, centre[2 * i], centre[2 * i + 1])) return true;
-        if (isDepthEdge(centre[2 * i], centre[2 * i + 1], right)) return true;
-        if (isDepthEdge(below, centre[i], centre[i + 2])) return true;
-        if (isDepthEdge(centre[i], centre[i + 2], above)) return true;
-    }
-    return false;
+    float d00 = depthAt(corner), d10 = depthAt(corner + ivec2(1, 0));
+    float d01 = depthAt(corner + ivec2(0, 1)), d11 = depthAt(corner + ivec2(1, 1));
+    vec4 alongX = vec4(depthAt(corner + ivec2(-1, 0)), depthAt(corner + ivec2(2, 0)),
+                       depthAt(corner + ivec2(-1, 1)), depthAt(corner + ivec2(2, 1)));
+    vec4 alongY = vec4(depthAt(corner + ivec2(0, -1)), depthAt(corner + ivec2(0, 2)),
+                       depthAt(corner + ivec2(1, -1)), depthAt(corner + ivec2(1, 2)));
+    float largest = max(max(bend(alongX.x, d00, d10, alongX.y), bend(alongX.z, d01, d11, alongX.w)),
+                        max(bend(alongY.x, d00, d01, alongY.y), bend(alongY.z, d10, d11, alongY.w)));
+    vec4 inside = vec4(d00, d10, d01, d11);
+    vec4 low = min(inside, min(alongX, alongY));
+    vec4 high = max(inside, max(alongX, alongY));
+    float lowest = min(min(low.x, low.y), min(low.z, low.w));
+    float highest = max(max(high.x, high.y), max(high.z, high.w));
+    float metres = largest * min(metresPerWindowDepth(lowest), metresPerWindowDepth(highest));
+    return largest > depthRounding.x + depthRounding.y * highest && metres > depthThreshold;
 }
 
 bool hasNormalEdge(ivec2 corner) {

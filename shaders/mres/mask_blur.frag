@@ -1,9 +1,9 @@
 #version 330 core
 // The mask of a level: the edge image blurred by a Gaussian, whose variance sets the width of the zone.
+// JOIN_FINER: whether the finer level's mask is joined in, where the Gaussian alone would not contain its zone.
 #include "mres/mask_blur_params.h"
 
 uniform sampler2D sourceTexture;
-uniform sampler2D finerMaskTexture;
 
 out float fragment;
 
@@ -16,6 +16,9 @@ float weightAt(int distance) {
     return weights[distance >> 2][distance & 3];
 }
 
+#if JOIN_FINER
+uniform sampler2D finerMaskTexture;
+
 // A finer mask above zero anywhere below this texel keeps it above zero.
 float finerSupport(ivec2 texel) {
     ivec2 last = textureSize(finerMaskTexture, 0) - 1;
@@ -26,6 +29,7 @@ float finerSupport(ivec2 texel) {
     }
     return support > 0.0 ? 1.0 : 0.0;
 }
+#endif
 
 void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy);
@@ -33,5 +37,8 @@ void main() {
     for (int distance = 1; distance <= radius; ++distance) {
         sum += (edgeAt(texel - axis * distance) + edgeAt(texel + axis * distance)) * weightAt(distance);
     }
-    fragment = max(sum, finerSupport(texel));
+    fragment = sum;
+#if JOIN_FINER
+    fragment = max(fragment, finerSupport(texel));
+#endif
 }

@@ -9,7 +9,7 @@ BEGIN_PARAMS
 UNIFORM_BLOCK(MaskBlurParams) {
     ivec2 axis;     // (1, 0) or (0, 1)
     int radius;     // taps on each side, 0..MASK_BLUR_MAX_RADIUS
-    int finerRatio; // texels of the finer level's mask per texel, joined in so that zones contain one another; 0: none
+    int finerRatio; // texels of the finer level's mask per texel, along one axis
     vec4 weights[(MASK_BLUR_MAX_RADIUS + 4) / 4];  // of distance 0, 1, 2, ...
 };
 
