@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
@@ -85,7 +86,9 @@ void addBevels(Mesh& mesh, const BevelledBox& box) {
 }  // namespace
 
 void addBox(Mesh& mesh, glm::vec3 min, glm::vec3 max, float bevel) {
-  const BevelledBox box{0.5f * (min + max), 0.5f * (max - min), bevel};
+  const glm::vec3 size = max - min;
+  const float widest = 0.45f * std::min({size.x, size.y, size.z});  // opposite chamfers must not meet
+  const BevelledBox box{0.5f * (min + max), 0.5f * size, std::min(bevel, widest)};
   for (const Side& side : kSides) addFace(mesh, box, side);
   if (bevel > 0.0f) addBevels(mesh, box);
 }
