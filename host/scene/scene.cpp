@@ -68,7 +68,7 @@ std::size_t triangleCount(const Scene& scene) {
 }
 
 Bounds boundsOf(const Scene& scene) {
-  if (scene.instances.empty()) return {glm::vec3(-0.5f), glm::vec3(0.5f)};
+  if (triangleCount(scene) == 0) return {glm::vec3(-0.5f), glm::vec3(0.5f)};
   Bounds bounds{glm::vec3(std::numeric_limits<float>::max()),
                 glm::vec3(std::numeric_limits<float>::lowest())};
   for (const Instance& instance : scene.instances) {

@@ -9,7 +9,8 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr std::size_t kMaxTriangles = 4'000'000;  // some 200 MB
-constexpr int kMaxResolution = 160;
+constexpr int kMaxResolution = 400;
+constexpr double kCellsPerTriangle = 8.0;
 
 std::vector<WorldTriangle> worldTriangles(const Scene& scene) {
   const std::size_t step = triangleCount(scene) / kMaxTriangles + 1;
@@ -86,11 +87,12 @@ TriangleGrid::TriangleGrid(const Scene& scene) : triangles_(worldTriangles(scene
   fillCells();
 }
 
-/// About as many cells as triangles, of about cubic shape; fewer where large triangles would fill too many.
+/// A few cells for each triangle, of about cubic shape; fewer where large triangles would fill too many.
 void TriangleGrid::chooseResolution() {
   const glm::vec3 size = bounds_.max - bounds_.min;
   const double volume = double(size.x) * size.y * size.z;
-  float edge = float(std::cbrt(volume / double(std::max<std::size_t>(triangles_.size(), 1))));
+  float edge =
+      float(std::cbrt(volume / (kCellsPerTriangle * double(std::max<std::size_t>(triangles_.size(), 1)))));
   do {
     for (int axis = 0; axis < 3; ++axis) {
       resolution_[axis] =

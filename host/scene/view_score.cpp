@@ -51,7 +51,7 @@ float ramp(float value, float low, float high) {
 
 }  // namespace
 
-float viewScore(const TriangleGrid& grid, const Camera& camera) {
+float viewScore(const TriangleGrid& grid, const Camera& camera, float reach) {
   const Hits hits = traceView(grid, camera);
   std::vector<float> distances;
   int backFaces = 0;
@@ -72,10 +72,11 @@ float viewScore(const TriangleGrid& grid, const Camera& camera) {
   const float coverage = ramp(float(distances.size()) / rays, 0.05f, 0.4f);
   const float solidity = 1.0f - ramp(float(backFaces) / float(distances.size()), 0.02f, 0.15f);
   const float shape = 0.15f + 0.85f * ramp(edgeShare(hits), 0.05f, 0.45f);
-  const float depth = 0.4f + 0.6f * ramp(percentile(0.9f) / percentile(0.1f), 1.1f, 4.0f);
-  // Something right in front of the lens is out of focus and hides the rest.
-  const float clearance = ramp(percentile(0.02f) / percentile(0.5f), 0.05f, 0.2f);
-  return coverage * solidity * shape * depth * clearance;
+  const float depth = 0.4f + 0.6f * ramp(percentile(0.85f) / percentile(0.3f), 1.1f, 3.0f);
+  const float breadth = 0.2f + 0.8f * ramp(percentile(0.5f) / reach, 0.2f, 1.0f);
+  // Something right in front of the lens hides the rest.
+  const float clearance = ramp(percentile(0.04f) / percentile(0.5f), 0.1f, 0.35f);
+  return coverage * solidity * shape * depth * breadth * clearance;
 }
 
 }  // namespace host

@@ -6,7 +6,8 @@
 namespace host {
 
 /// How good a picture a camera would take: 0 for one that sees next to nothing, is inside of something solid
-/// or has its nose against a wall; about 1 for a filled frame with much shape, near and far.
-float viewScore(const TriangleGrid& grid, const Camera& camera);
+/// or has its nose against a wall; about 1 for a filled frame with much shape, near and far. `reach` is a
+/// distance that counts as far in this scene.
+float viewScore(const TriangleGrid& grid, const Camera& camera, float reach);
 
 }  // namespace host

@@ -84,17 +84,17 @@ bool isUnsignedType(int componentType) {
 std::span<const std::uint8_t> bufferViewBytes(const Document& document, std::int64_t index) {
   const auto& views = document.model.bufferViews;
   if (index < 0 || std::uint64_t(index) >= views.size()) {
-    throw std::runtime_error(fmt::format("buffer view {} does not exist; export the file again", index));
+    throw std::runtime_error(fmt::format("buffer view {} does not exist", index));
   }
   const tinygltf::BufferView& view = views[std::size_t(index)];
   if (view.buffer < 0 || std::size_t(view.buffer) >= document.buffers.size()) {
-    throw std::runtime_error(fmt::format(
-        "buffer view {} is in buffer {}, which does not exist; export the file again", index, view.buffer));
+    throw std::runtime_error(
+        fmt::format("buffer view {} is in buffer {}, which does not exist", index, view.buffer));
   }
   const Bytes& buffer = document.buffers[std::size_t(view.buffer)];
   if (view.byteOffset > buffer.size() || view.byteLength > buffer.size() - view.byteOffset) {
-    throw std::runtime_error(fmt::format(
-        "buffer view {} reaches past the end of buffer {}; export the file again", index, view.buffer));
+    throw std::runtime_error(
+        fmt::format("buffer view {} reaches past the end of buffer {}", index, view.buffer));
   }
   return std::span(buffer).subspan(view.byteOffset, view.byteLength);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
@@ -40,18 +41,31 @@ bool isDispensable(const std::string& extension) {
   return extension.starts_with("KHR_materials_") || extension.starts_with("KHR_animation_");
 }
 
+/// glTF lets integers be written as 1.0, tinygltf does not.
+void makeIntegral(Json& value) {
+  constexpr double kMaxExact = 9007199254740992.0;  // 2^53, beyond which doubles skip integers
+  if (!value.is_number_float()) return;
+  const double number = value.get<double>();
+  if (std::abs(number) <= kMaxExact && number == std::floor(number)) value = std::int64_t(number);
+}
+
 Json parseJson(std::string_view text) {
-  const Json::parser_callback_t limitDepth = [](int depth, Json::parse_event_t, Json&) {
+  const Json::parser_callback_t check = [](int depth, Json::parse_event_t event, Json& parsed) {
     if (depth > kMaxJsonDepth)
       throw std::runtime_error("its JSON is nested too deeply; export the file again");
+    if (event == Json::parse_event_t::value) makeIntegral(parsed);
     return true;
   };
+  const auto start = text.find_first_not_of("\xEF\xBB\xBF \t\r\n");  // a byte order mark, spaces
+  if (start == std::string_view::npos || text[start] != '{') {
+    throw std::runtime_error("it is not a glTF file; name a .gltf or .glb file");
+  }
   try {
-    Json json = Json::parse(text, limitDepth);
-    if (!json.is_object()) throw std::runtime_error("it is not a glTF file; name a .gltf or .glb file");
-    return json;
-  } catch (const Json::exception& error) {
-    throw std::runtime_error(fmt::format("its JSON is broken ({}); export the file again", error.what()));
+    return Json::parse(text, check);
+  } catch (const Json::parse_error& error) {
+    throw std::runtime_error(fmt::format("its JSON is broken at byte {}; get a complete copy", error.byte));
+  } catch (const Json::exception&) {
+    throw std::runtime_error("its JSON has a number out of range; export the file again");
   }
 }
 
@@ -84,7 +98,8 @@ void checkVersion(const Json& json) {
   const std::string text = stringMember(*asset, "version");
   const auto version = parseVersion(text);
   if (!version || version->first != 2) {
-    throw std::runtime_error(fmt::format("it is glTF '{}', but only 2.x is known; export as glTF 2.0", text));
+    throw std::runtime_error(
+        fmt::format("its version is '{}', but only glTF 2.0 is known; export as glTF 2.0", text));
   }
   const auto minimum = parseVersion(stringMember(*asset, "minVersion"));
   if (minimum && *minimum > std::pair(2, 0)) {
@@ -200,6 +215,7 @@ Document readDocument(const std::filesystem::path& path) {
   const std::vector<Json> buffers = takeArray(json, "buffers");
   for (const Json& image : takeArray(json, "images")) document.images.push_back(imageSource(image));
   checkExtensions(json, document.warnings);
+  for (const char* unused : {"animations", "skins"}) json.erase(unused);  // broken ones do no harm
   document.model = parseStructure(json);
   for (std::size_t i = 0; i < buffers.size(); ++i) {
     document.buffers.push_back(readBuffer(buffers[i], i, container, document.folder));

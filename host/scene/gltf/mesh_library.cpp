@@ -44,7 +44,7 @@ std::vector<int> MeshLibrary::convert(int gltfMesh) {
   const tinygltf::Mesh& source = document_.model.meshes[std::size_t(gltfMesh)];
   std::vector<int> converted;
   for (std::size_t i = 0; i < source.primitives.size(); ++i) {
-    const std::string name = fmt::format("mesh {} '{}', primitive {}", gltfMesh, source.name, i);
+    const std::string name = fmt::format("primitive {} of mesh {} '{}'", i, gltfMesh, source.name);
     Mesh mesh = convertPrimitive(source.primitives[i], name);
     if (mesh.indices.empty()) continue;
     mesh.name = source.name;
@@ -56,7 +56,7 @@ std::vector<int> MeshLibrary::convert(int gltfMesh) {
 
 Mesh MeshLibrary::convertPrimitive(const tinygltf::Primitive& primitive, const std::string& name) {
   if (!hasTriangles(primitive)) {
-    document_.warnings.push_back(fmt::format("{} is left out: it has no triangles.", name));
+    document_.warnings.push_back(fmt::format("No triangles in {}; it is left out.", name));
     return {};
   }
   const int material = materialOf(primitive, name);
@@ -73,7 +73,7 @@ int MeshLibrary::materialOf(const tinygltf::Primitive& primitive, const std::str
   if (primitive.material == -1) return -1;
   if (primitive.material < -1 || std::size_t(primitive.material) >= scene_.materials.size()) {
     document_.warnings.push_back(
-        fmt::format("{} gets the default material: material {} does not exist.", name, primitive.material));
+        fmt::format("Material {} does not exist; {} gets the default one.", primitive.material, name));
     return -1;
   }
   return primitive.material;

@@ -27,20 +27,23 @@ std::string percentDecoded(const std::string& text) {
   return decoded;
 }
 
+/// RFC 2397.
 Bytes decodeDataUri(const std::string& uri) {
-  constexpr std::string_view kMarker = ";base64,";
-  const auto marker = uri.find(kMarker);
-  if (marker == std::string::npos) {
-    throw std::runtime_error(fmt::format(
-        "'{}' is not base64, the only known data URI; export with base64 or files", abbreviated(uri)));
+  constexpr std::string_view kBase64 = ";base64";
+  const auto comma = uri.find(',');
+  if (comma == std::string::npos) {
+    throw std::runtime_error(fmt::format("'{}' is no data URI; export the file again", abbreviated(uri)));
+  }
+  const std::string data = uri.substr(comma + 1);
+  if (!std::string_view(uri).substr(0, comma).ends_with(kBase64)) {
+    const std::string decoded = percentDecoded(data);
+    return {decoded.begin(), decoded.end()};
   }
   // tinygltf knows a short list of media types; what the bytes are is seen from the bytes, so any will do.
-  const std::string known = "data:application/octet-stream;base64," + uri.substr(marker + kMarker.size());
   Bytes bytes;
   std::string mediaType;
-  if (!tinygltf::DecodeDataURI(&bytes, mediaType, known, 0, false)) {
-    throw std::runtime_error(
-        fmt::format("the data URI '{}' can't be decoded; export the file again", abbreviated(uri)));
+  if (!tinygltf::DecodeDataURI(&bytes, mediaType, "data:application/octet-stream;base64," + data, 0, false)) {
+    throw std::runtime_error(fmt::format("'{}' can't be decoded; export the file again", abbreviated(uri)));
   }
   return bytes;
 }

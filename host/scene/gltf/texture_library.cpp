@@ -63,7 +63,11 @@ int TextureLibrary::convert(int gltfTexture) {
   const tinygltf::Texture& source = model.textures[std::size_t(gltfTexture)];
   Texture texture;
   texture.image = useImage(sourceImage(source));
-  if (texture.image < 0) return -1;
+  if (texture.image < 0) {
+    document_.warnings.push_back(
+        fmt::format("Texture {} is left out: it has no readable image.", gltfTexture));
+    return -1;
+  }
   if (source.sampler >= 0 && std::size_t(source.sampler) < model.samplers.size()) {
     const tinygltf::Sampler& sampler = model.samplers[std::size_t(source.sampler)];
     texture.wrapS = toWrap(sampler.wrapS);
@@ -80,9 +84,7 @@ int TextureLibrary::useImage(int gltfImage) {
 
 int TextureLibrary::decode(int gltfImage) {
   if (gltfImage < 0 || std::size_t(gltfImage) >= document_.images.size()) {
-    document_.warnings.push_back(
-        fmt::format("Image {} does not exist; its textures are left out.", gltfImage));
-    return -1;
+    return -1;  // whoever wanted it warns
   }
   const ImageSource& source = document_.images[std::size_t(gltfImage)];
   try {
@@ -91,7 +93,7 @@ int TextureLibrary::decode(int gltfImage) {
     scene_.images.push_back(std::move(image));
     return int(scene_.images.size()) - 1;
   } catch (const std::exception& error) {
-    document_.warnings.push_back(fmt::format("Image {} ({}) is left out: {}.", gltfImage,
+    document_.warnings.push_back(fmt::format("Image {} '{}' can't be read: {}.", gltfImage,
                                              abbreviated(source.uri), firstLine(error.what())));
     return -1;
   }
