@@ -10,7 +10,7 @@ namespace {
 
 /// The radiance of an average surface is shown as this: photographers' middle grey, a little raised, since
 /// the rooms that are drawn here have light walls.
-constexpr float kMiddleGrey = 0.22f;
+constexpr float kMiddleGrey = 0.3f;
 constexpr float kAverageAlbedo = 0.5f;
 /// The part of the surfaces that a directional light reaches: half face away, and much of the rest lies in
 /// shadow.
