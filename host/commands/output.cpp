@@ -3,7 +3,6 @@
 #include <cerrno>
 #include <cstring>
 #include <fmt/format.h>
-#include <fmt/std.h>
 #include <fstream>
 #include <stdexcept>
 #include <system_error>
@@ -23,22 +22,6 @@ fs::path temporaryBeside(const fs::path& path) {
   return path.parent_path() / fmt::format(".{}.{}.partial", path.filename().string(), getpid());
 }
 
-/// Removes a temporary file unless it was renamed.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(fs::path path) : path_(std::move(path)) {}
-  ~TemporaryFile() {
-    std::error_code ignored;
-    fs::remove(path_, ignored);
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
 void writeAll(const fs::path& file, const fs::path& destination, const std::string& text) {
   errno = 0;
   std::ofstream stream(file, std::ios::binary);
@@ -49,19 +32,31 @@ void writeAll(const fs::path& file, const fs::path& destination, const std::stri
 
 }  // namespace
 
+TemporaryFile::TemporaryFile(fs::path destination)
+    : destination_(std::move(destination)), path_(temporaryBeside(destination_)) {}
+
+TemporaryFile::~TemporaryFile() {
+  std::error_code ignored;
+  fs::remove(path_, ignored);
+}
+
+void TemporaryFile::commit() const {
+  std::error_code error;
+  fs::rename(path_, destination_, error);
+  if (error) failToWrite(destination_, error.message());
+}
+
 void requireWritableFile(const fs::path& path) {
   if (path.filename().empty() || fs::is_directory(path))
     failToWrite(path, "it is a folder, a file is wanted");
-  const TemporaryFile probe(temporaryBeside(path));
+  const TemporaryFile probe(path);
   writeAll(probe.path(), path, "");
 }
 
 void writeTextFile(const fs::path& path, const std::string& text) {
-  const TemporaryFile temporary(temporaryBeside(path));
+  const TemporaryFile temporary(path);
   writeAll(temporary.path(), path, text);
-  std::error_code error;
-  fs::rename(temporary.path(), path, error);
-  if (error) failToWrite(path, error.message());
+  temporary.commit();
 }
 
 OutputDirectory::OutputDirectory(fs::path path) : path_(std::move(path)) {

@@ -10,6 +10,23 @@ namespace host {
 /// Throws std::runtime_error with a sentence if no file can be made at `path`.
 void requireWritableFile(const std::filesystem::path& path);
 
+/// A file beside `destination` that is removed again unless commit() renames it to that.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(std::filesystem::path destination);
+  ~TemporaryFile();
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  /// Throws std::runtime_error with a sentence.
+  void commit() const;
+
+ private:
+  std::filesystem::path destination_;
+  std::filesystem::path path_;
+};
+
 /// Writes beside `path` and renames. Throws std::runtime_error with a sentence.
 void writeTextFile(const std::filesystem::path& path, const std::string& text);
 

@@ -39,6 +39,12 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+/// Pixels, or 0 for what is no possible side.
+int parseSide(const std::string& text) {
+  const int side = parseWhole<int>(text).value_or(0);
+  return side >= 1 && side <= kMaxImageSize ? side : 0;
+}
+
 }  // namespace
 
 glm::ivec2 parseSize(const std::string& text) {
@@ -48,14 +54,12 @@ glm::ivec2 parseSize(const std::string& text) {
     if (text == name) return size;
 
   const std::size_t cross = text.find('x');
-  const auto width = parseWhole<int>(std::string_view(text).substr(0, cross));
-  const auto height =
-      cross == std::string::npos ? std::nullopt : parseWhole<int>(std::string_view(text).substr(cross + 1));
-  const auto isSide = [](int side) { return side >= 1 && side <= kMaxImageSize; };
-  if (!width || !height || !isSide(*width) || !isSide(*height))
+  const glm::ivec2 size(parseSide(text.substr(0, cross)),
+                        cross == std::string::npos ? 0 : parseSide(text.substr(cross + 1)));
+  if (size.x == 0 || size.y == 0)
     throw UsageError(fmt::format("'{}' is no picture size; give one from 1x1 to {}x{} such as 1920x1080.",
                                  text, kMaxImageSize, kMaxImageSize));
-  return {*width, *height};
+  return size;
 }
 
 std::optional<int> parseCamera(const std::string& text) {

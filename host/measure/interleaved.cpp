@@ -5,11 +5,10 @@
 namespace host {
 namespace {
 
-double warmUp(const Work& work, const Timer& timer, double seconds) {
+void warmUp(const Work& work, const Timer& timer, double seconds) {
   double spent = 0.0;
   do spent += timer(work).wallMs / 1000.0;
   while (spent < seconds);
-  return spent;
 }
 
 bool isEnough(const InterleavedTimes& times, const RepeatPlan& plan, double spentSeconds) {
@@ -35,6 +34,13 @@ InterleavedTimes timeInterleaved(const Work& technique, const Work& reference, c
     spentSeconds += (times.technique.back().wallMs + times.reference.back().wallMs) / 1000.0;
     if (observe) observe(static_cast<int>(times.technique.size()), plan.pairs.value_or(plan.maxPairs));
   }
+  return times;
+}
+
+std::vector<RunTime> timeAlone(const Work& work, const Timer& timer, int runs) {
+  warmUp(work, timer, RepeatPlan().warmUpSeconds);
+  std::vector<RunTime> times;
+  while (static_cast<int>(times.size()) < runs) times.push_back(timer(work));
   return times;
 }
 

@@ -40,6 +40,9 @@ using PairObserver = std::function<void(int done, int expected)>;
 InterleavedTimes timeInterleaved(const Work& technique, const Work& reference, const Timer& timer,
                                  const RepeatPlan& plan, const PairObserver& observe = {});
 
+/// One piece of work alone, warmed up, `runs` times.
+std::vector<RunTime> timeAlone(const Work& work, const Timer& timer, int runs);
+
 /// The wall times, or the GPU times where every run has one.
 enum class Clock { wall, gpu };
 std::optional<std::vector<double>> timesBy(Clock clock, const std::vector<RunTime>& runs);

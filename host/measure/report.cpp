@@ -15,7 +15,7 @@ Json toJson(const Summary& summary) {
 /// null where a run lacks that clock.
 Json summaryBy(Clock clock, const std::vector<RunTime>& runs) {
   const auto times = timesBy(clock, runs);
-  return times ? toJson(summarize(*times)) : Json();
+  return times && !times->empty() ? toJson(summarize(*times)) : Json();
 }
 
 /// JSON has no infinity: equal images have a PSNR of null.
@@ -31,28 +31,24 @@ Json toJson(const ErrorMetrics& error) {
           {"non_finite", error.nonFinite}};
 }
 
-/// The same fields whether or not times were taken, null where they weren't.
-void addTimes(Json& result, const std::optional<InterleavedTimes>& times) {
-  const std::vector<RunTime> none;
-  const Clock clock = times ? trustedClock(*times) : Clock::wall;
-  const auto add = [&](const char* key, Clock by, const std::vector<RunTime>& runs) {
-    result[key] = times ? summaryBy(by, runs) : Json();
-  };
-  const std::vector<RunTime>& technique = times ? times->technique : none;
-  const std::vector<RunTime>& reference = times ? times->reference : none;
-  add("time_ms", clock, technique);
-  add("reference_time_ms", clock, reference);
-  result["clock"] = !times                ? Json()
-                    : clock == Clock::gpu ? Json("GL_TIME_ELAPSED")
-                                          : Json("glFinish+steady_clock");
-  add("wall_time_ms", Clock::wall, technique);
-  add("reference_wall_time_ms", Clock::wall, reference);
-  add("gpu_time_ms", Clock::gpu, technique);
-  add("reference_gpu_time_ms", Clock::gpu, reference);
+Json clockName(Clock clock) {
+  return clock == Clock::gpu ? "GL_TIME_ELAPSED" : "glFinish+steady_clock";
+}
+
+/// The same fields whatever was timed, null where it wasn't.
+void addTimes(Json& result, const InterleavedTimes& times) {
+  const Clock clock = trustedClock(times);
+  result["time_ms"] = summaryBy(clock, times.technique);
+  result["reference_time_ms"] = summaryBy(clock, times.reference);
+  result["clock"] = times.technique.empty() ? Json() : clockName(clock);
+  result["wall_time_ms"] = summaryBy(Clock::wall, times.technique);
+  result["reference_wall_time_ms"] = summaryBy(Clock::wall, times.reference);
+  result["gpu_time_ms"] = summaryBy(Clock::gpu, times.technique);
+  result["reference_gpu_time_ms"] = summaryBy(Clock::gpu, times.reference);
   result["speedup"] = Json();
   result["speedup_interval"] = Json();
-  if (!times) return;
-  const RatioEstimate speedup = speedupOf(*times);
+  if (times.technique.empty() || times.reference.empty()) return;
+  const RatioEstimate speedup = speedupOf(times);
   result["speedup"] = speedup.ratio;
   result["speedup_interval"] = {speedup.low, speedup.high};
 }
@@ -64,13 +60,14 @@ Machine machineOf(const std::string& renderer, const std::string& version) {
 }
 
 Json toJson(const Measurement& measurement) {
-  Json result{{"scene", measurement.scene},         {"triangles", measurement.triangles},
-              {"camera", measurement.camera},       {"camera_name", measurement.cameraName},
-              {"width", measurement.size.x},        {"height", measurement.size.y},
-              {"effect", measurement.effect},       {"samples", measurement.samples},
-              {"technique", measurement.technique}, {"reference", measurement.reference}};
-  addTimes(result, measurement.times);
-  result["error"] = toJson(measurement.error);
+  Json result{{"scene", measurement.scene},        {"triangles", measurement.triangles},
+              {"camera", measurement.camera},      {"camera_name", measurement.cameraName},
+              {"width", measurement.size.x},       {"height", measurement.size.y},
+              {"effect", measurement.effect},      {"samples", measurement.samples},
+              {"technique", measurement.technique}};
+  result["reference"] = measurement.reference ? Json(*measurement.reference) : Json();
+  addTimes(result, measurement.times.value_or(InterleavedTimes()));
+  result["error"] = measurement.error ? toJson(*measurement.error) : Json();
   result["coverage"] = measurement.coverage;
   result["stages_ms"] = Json::object();
   for (const StageCost& stage : measurement.stages) result["stages_ms"][stage.name] = stage.milliseconds;

@@ -34,7 +34,7 @@ const std::vector<Figure>& figures() {
     return [key](const Json& result) { return result[key].is_null() ? Json() : result[key]["median"]; };
   };
   static const auto errorOf = [](const char* key) {
-    return [key](const Json& result) { return result["error"][key]; };
+    return [key](const Json& result) { return result["error"].is_null() ? Json() : result["error"][key]; };
   };
   static const std::vector<Figure> kFigures{
       {"full ms", "{:.1f}", medianOf("reference_time_ms")},
@@ -112,15 +112,20 @@ std::string certainty(const Json& results) {
 
 }  // namespace
 
+std::vector<std::vector<std::string>> tableRows(const Json& report) {
+  const Json& results = report["results"];
+  Rows rows{titles()};
+  for (const Json& result : results) rows.push_back(rowOf(result));
+  if (results.size() > 1) rows.push_back(meanRow(results));
+  return rows;
+}
+
 std::string toTable(const Json& report) {
   const Json& results = report["results"];
   const Json& machine = report["machine"];
   std::string text =
       fmt::format("{}, {} cores\n\n", machine["renderer"].get<std::string>(), machine["cores"].get<int>());
-  Rows rows{titles()};
-  for (const Json& result : results) rows.push_back(rowOf(result));
-  if (results.size() > 1) rows.push_back(meanRow(results));
-  text += formatTable(rows);
+  text += formatTable(tableRows(report));
   if (const std::string line = certainty(results); !line.empty()) text += "\n" + line;
   if (const Rows stages = stageRows(results); !stages.empty())
     text += "\nWhere the technique's time goes, stage by stage:\n" + formatTable(stages);

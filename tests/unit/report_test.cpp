@@ -29,7 +29,7 @@ Measurement example() {
     times.reference.push_back({.wallMs = 250.0 + jitter});
   }
   measurement.times = times;
-  measurement.error = {.rms = 0.01, .max = 0.3, .psnr = 40.0, .ssim = 0.99, .nonFinite = 0};
+  measurement.error = ErrorMetrics{.rms = 0.01, .max = 0.3, .psnr = 40.0, .ssim = 0.99, .nonFinite = 0};
   measurement.coverage = {0.04, 0.09, 0.2, 1.0};
   measurement.stages = {{"edges", 30.0}, {"level0", 70.0}};
   measurement.skipped = {{"level1", "not used by ssgi"}};
@@ -93,7 +93,7 @@ TEST(Report, WithoutTimingHasTheSameFieldsWithNull) {
 
 TEST(Report, AnInfinitePsnrIsNull) {
   Measurement measurement = example();
-  measurement.error.psnr = std::numeric_limits<double>::infinity();
+  measurement.error->psnr = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(toJson(measurement)["error"]["psnr"].is_null());
   EXPECT_THAT(toTable(reportOf({measurement})), Not(HasSubstr("inf")));
 }
@@ -107,7 +107,7 @@ TEST(ReportTable, ShowsTheFiguresOfOneResult) {
 
 TEST(ReportTable, AveragesSeveralResults) {
   Measurement second = example();
-  second.error.rms = 0.03;
+  second.error->rms = 0.03;
   EXPECT_THAT(toTable(reportOf({example(), second})), AllOf(HasSubstr("mean"), HasSubstr("0.0200")));
 }
 

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "host/measure/report.h"
+
+namespace host {
+
+/// The results.json of a campaign: on disk after every measurement, so that an interrupted campaign can go
+/// on.
+class BenchResults {
+ public:
+  /// With `resume`, starts from what `file` holds. Throws std::runtime_error with a sentence if that is no
+  /// report, or one of another machine.
+  BenchResults(std::filesystem::path file, const Machine& machine, bool resume);
+
+  /// Whether the picture that `wanted` describes was measured with these settings.
+  [[nodiscard]] bool contains(const Measurement& wanted) const;
+
+  /// Adds a result and writes the file.
+  void add(const Measurement& measurement);
+
+  [[nodiscard]] const Json& report() const { return report_; }
+
+ private:
+  std::filesystem::path file_;
+  Json report_;
+};
+
+}  // namespace host

@@ -1,0 +1,82 @@
+#include "host/commands/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <fmt/format.h>
+#include <new>
+#include <string>
+
+#include "host/commands/commands.h"
+#include "host/commands/interruption.h"
+#include "host/commands/usage_error.h"
+
+namespace host {
+namespace {
+
+constexpr int kDone = 0;
+constexpr int kFailed = 1;
+constexpr int kWrongUsage = 2;
+
+constexpr const char* kFooter = R"(
+Examples:
+  mres compare hall --size 1080p -o out     speedup and error of multi-resolution SSAO, with pictures
+  mres render office --camera 3 -o a.png    one picture
+  mres bench --suite quick -o out           a small campaign with plots
+  mres info                                 the OpenGL device, scenes, effects
+
+SCENE is a built-in name (mres info lists them) or a .gltf or .glb file.
+Exit codes: 0 done, 1 failed, 2 wrong usage. `mres COMMAND --help` tells more.)";
+
+int fail(int code, const std::string& sentence) {
+  fmt::print(stderr, "mres: {}\n", sentence);
+  return code;
+}
+
+/// The subcommand that the user was typing, for the hint.
+std::string helpHint(const CLI::App& app) {
+  const auto subcommands = app.get_subcommands();
+  return fmt::format("`mres {}--help` shows how",
+                     subcommands.empty() ? "" : subcommands.front()->get_name() + " ");
+}
+
+void flushOutput() {
+  if (std::fflush(stdout) != 0)
+    throw std::runtime_error("Cannot write to the standard output; is its disk full?");
+}
+
+}  // namespace
+
+int runCommandLine(int argc, const char* const* argv) {
+  CLI::App app("Renders expensive screen-space effects at the resolution that each part of the screen needs.",
+               "mres");
+  app.footer(kFooter);
+  app.set_version_flag("--version", "mres " MRES_VERSION);
+  app.require_subcommand(0, 1);
+  Action action = [&app] { fmt::print("{}", app.help()); };
+  addInfoCommand(app, action);
+  addRenderCommand(app, action);
+  addCompareCommand(app, action);
+  addBenchCommand(app, action);
+
+  try {
+    app.parse(argc, argv);
+    deferInterrupts();
+    action();
+    flushOutput();
+    return kDone;
+  } catch (const CLI::Success& request) {
+    return app.exit(request);
+  } catch (const CLI::ParseError& error) {
+    return fail(kWrongUsage, fmt::format("{}; {}.", error.what(), helpHint(app)));
+  } catch (const UsageError& error) {
+    return fail(kWrongUsage, error.what());
+  } catch (const Interrupted&) {
+    endByInterrupt();
+  } catch (const std::bad_alloc&) {
+    return fail(kFailed, "There is not enough memory for this; try a smaller --size.");
+  } catch (const std::exception& error) {
+    return fail(kFailed, error.what());
+  }
+}
+
+}  // namespace host

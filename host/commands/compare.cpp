@@ -1,0 +1,122 @@
+#include <filesystem>
+#include <fmt/format.h>
+#include <memory>
+
+#include "host/commands/commands.h"
+#include "host/commands/interruption.h"
+#include "host/commands/options.h"
+#include "host/commands/output.h"
+#include "host/commands/progress.h"
+#include "host/commands/usage_error.h"
+#include "host/measure/comparison.h"
+#include "host/measure/picture_files.h"
+#include "host/measure/report.h"
+#include "host/platform/gl_context.h"
+
+namespace host {
+namespace fs = std::filesystem;
+namespace {
+
+struct CompareOptions {
+  ViewOptions view;
+  PictureOptions picture;
+  TimingOptions timing;
+  fs::path output;
+};
+
+constexpr const char* kExamples = R"(
+Examples:
+  mres compare hall --size 4k -o out                    a picture and a number
+  mres compare hall --camera all --no-timing -o out     pictures and errors of every camera
+  mres compare room.glb --samples 16 --set radius=0.8 --json -o out
+
+The folder gets full.png and mres.png (lit), effect_full and effect_mres (.png, and .exr with the exact values),
+difference.png (8 times enhanced), edges.png (red normals, green depth), levels.png (red full, green half, blue
+quarter, black eighth resolution) and report.json; with --camera all the pictures lie in a folder for each camera.)";
+
+/// Where the pictures of a camera go, relative to the output.
+fs::path pictureFolder(std::size_t cameras, int camera) {
+  return cameras == 1 ? fs::path() : fs::path(fmt::format("camera-{}", camera));
+}
+
+class CompareRun {
+ public:
+  CompareRun(const CompareOptions& options, const Scene& scene, const GlContext::Info& gl)
+      : options_(options),
+        cameras_(camerasOf(scene, options.view.camera)),
+        settings_(options.picture.settings),
+        comparison_(scene, settings_, gl.software),
+        report_(makeReport(machineOf(gl.renderer, gl.version))) {}
+
+  const Json& run() {
+    for (done_ = 0; done_ < cameras_.size(); ++done_) compareCamera(cameras_[done_]);
+    progress_.clear();
+    return report_;
+  }
+
+ private:
+  void compareCamera(int camera) {
+    show(0.0, fmt::format("camera {}: warming up", camera));
+    Measurement measurement = comparison_.measure(
+        {camera, options_.view.size, options_.timing.plan()}, [&](int pair, int expected) {
+          show(0.8 * pair / expected,
+               fmt::format("camera {}: timed pair {} of at most {}", camera, pair, expected));
+        });
+    measurement.settings = settingsTable(settings_).values();
+    const fs::path folder = pictureFolder(cameras_.size(), camera);
+    const OutputDirectory directory(options_.output / folder);
+    measurement.pictures = picturesBelow(
+        folder, writePictures(comparison_.pictures(), directory.path(), [&](const std::string& name) {
+          show(0.9, fmt::format("camera {}: writing {}", camera, name));
+        }));
+    report_["results"].push_back(toJson(measurement));
+  }
+
+  void show(double shareOfCamera, const std::string& what) {
+    throwIfInterrupted();
+    progress_.update((static_cast<double>(done_) + shareOfCamera) / static_cast<double>(cameras_.size()),
+                     what);
+  }
+
+  const CompareOptions& options_;
+  std::vector<int> cameras_;
+  PictureSettings settings_;
+  Comparison comparison_;
+  Json report_;
+  StderrProgressBar progress_;
+  std::size_t done_ = 0;
+};
+
+void runCompare(const CompareOptions& options) {
+  if (options.picture.settings.effect == kNoEffect)
+    throw UsageError("Without an effect there is nothing to compare; give --effect ssao.");
+  const OutputDirectory output(options.output);
+  const GlContext context;
+  const Scene scene = loadScene(options.view.scene);
+  CompareRun run(options, scene, context.info());
+  const Json& report = run.run();
+  writeTextFile(output.path() / "report.json", toText(report));
+  if (options.picture.json)
+    fmt::print("{}", toText(report));
+  else
+    fmt::print("{}\nPictures and report.json are in {}\n", toTable(report),
+               fs::weakly_canonical(output.path()).string());
+}
+
+}  // namespace
+
+void addCompareCommand(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand(
+      "compare", "Measure speed and error of a technique against the full resolution, with pictures");
+  const auto options = std::make_shared<CompareOptions>();
+  addViewOptions(*command, options->view);
+  addPictureOptions(*command, options->picture);
+  addTimingOptions(*command, options->timing);
+  command->add_option("-o,--output", options->output, "DIR  where pictures and report.json go")
+      ->required()
+      ->type_name("");
+  command->footer(kExamples + describeSettings());
+  command->callback([&action, options] { action = [options] { runCompare(*options); }; });
+}
+
+}  // namespace host

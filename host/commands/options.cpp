@@ -1,0 +1,157 @@
+#include "host/commands/options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+#include "host/commands/parse.h"
+#include "host/commands/usage_error.h"
+
+namespace host {
+namespace {
+
+constexpr int kMostRepetitions = 10000;
+
+std::vector<std::string> effectChoices() {
+  std::vector<std::string> choices = effectNames();
+  choices.emplace_back(kNoEffect);
+  return choices;
+}
+
+std::string listOf(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : " or ") + name;
+  return list;
+}
+
+std::string parseEffect(const std::string& name) {
+  const std::vector<std::string> choices = effectChoices();
+  if (std::ranges::find(choices, name) != choices.end()) return name;
+  static constexpr std::array<std::string_view, 2> kAnnounced{"ssm", "ssgi"};
+  if (std::ranges::find(kAnnounced, name) != kAnnounced.end())
+    throw UsageError(
+        fmt::format("The effect {} comes with a later version of mres; use {}.", name, listOf(choices)));
+  throw UsageError(fmt::format("There is no effect '{}'{}.", name, suggestion(name, choices)));
+}
+
+mres::Technique parseTechnique(const std::string& name) {
+  for (const mres::Technique technique : {mres::Technique::full, mres::Technique::multiResolution})
+    if (nameOf(technique) == name) return technique;
+  throw UsageError(fmt::format("There is no technique '{}'{}.", name, suggestion(name, techniqueNames())));
+}
+
+int parseRepeat(const std::string& text) {
+  const auto number = parseNumber(text);
+  if (!number || *number < 1 || *number > kMostRepetitions || *number != static_cast<int>(*number))
+    throw UsageError(fmt::format("'{}' is no number of repetitions; give a whole number from 1 to {}.", text,
+                                 kMostRepetitions));
+  return static_cast<int>(*number);
+}
+
+template <class Apply>
+CLI::Option* addText(CLI::App& command, const std::string& name, const Apply& apply,
+                     const std::string& description) {
+  return command.add_option_function<std::string>(name, apply, description)->type_name("");
+}
+
+}  // namespace
+
+SettingsTable settingsTable(PictureSettings& settings) {
+  SettingsTable table;
+  table.add(settings.ssao);
+  table.add(settings.mask);
+  return table;
+}
+
+std::string describeSettings() {
+  PictureSettings defaults;
+  return "\n\nSettings of --set, with their defaults:\n" + settingsTable(defaults).describe();
+}
+
+void addPictureOptions(CLI::App& command, PictureOptions& options) {
+  PictureSettings& settings = options.settings;
+  const auto assign = [&settings](const Assignment& assignment) { settingsTable(settings).set(assignment); };
+  addText(
+      command, "--effect", [&](const std::string& name) { settings.effect = parseEffect(name); },
+      fmt::format("NAME  {} (default {})", listOf(effectChoices()), settings.effect));
+  addText(
+      command, "--technique", [&](const std::string& name) { settings.technique = parseTechnique(name); },
+      fmt::format("NAME  full: every pixel; mres: each part at the resolution it needs (default {})",
+                  nameOf(settings.technique)));
+  addText(
+      command, "--samples",
+      [=](const std::string& value) {
+        assign({"samples", value});
+      },
+      fmt::format("N  samples a pixel of the effect (default {})", sampleCount(settings)));
+  addText(
+      command, "--seed",
+      [=](const std::string& value) {
+        assign({"seed", value});
+      },
+      "N  chooses the effect's sample points (default 0)");
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--set",
+          [=](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) assign(parseAssignment(text));
+          },
+          "KEY=VALUE  any setting, as often as needed; they are listed below")
+      ->type_name("")
+      ->allow_extra_args(false);
+  command.add_flag("--json", options.json, "print the report as JSON on the standard output");
+}
+
+void addViewOptions(CLI::App& command, ViewOptions& options) {
+  command
+      .add_option("SCENE", options.scene, "a built-in scene (mres info lists them), a .gltf or a .glb file")
+      ->type_name("")
+      ->capture_default_str();
+  addText(
+      command, "--camera", [&](const std::string& text) { options.camera = parseCamera(text); },
+      "N  camera, from 0 on (default 0); `all` where several make sense");
+  addText(
+      command, "--size", [&](const std::string& text) { options.size = parseSize(text); },
+      fmt::format("WxH  pixels up to {0}x{0}, or 720p, 1080p, 1440p, 4k (default {1}x{2})", kMaxImageSize,
+                  options.size.x, options.size.y));
+}
+
+void addTimingOptions(CLI::App& command, TimingOptions& options) {
+  const RepeatPlan plan;
+  CLI::Option* repeat = addText(
+      command, "--repeat", [&](const std::string& text) { options.repeat = parseRepeat(text); },
+      fmt::format("N  timed repetitions (default: {} to {}, until the speedup is known within {:.0f} %)",
+                  plan.minPairs, plan.maxPairs, plan.precision * 100.0));
+  command.add_flag("!--timing,--no-timing{false}", options.timing, "pictures and errors only")
+      ->excludes(repeat);
+}
+
+std::optional<RepeatPlan> TimingOptions::plan() const {
+  if (!timing) return std::nullopt;
+  RepeatPlan plan;
+  plan.pairs = repeat;
+  return plan;
+}
+
+void requireCamera(const Scene& scene, int camera) {
+  const auto count = static_cast<int>(scene.cameras.size());
+  if (camera < count) return;
+  throw std::runtime_error(fmt::format("The scene '{}' has no camera {}; give {}.", scene.name, camera,
+                                       count == 1 ? "0, its only one" : fmt::format("0 to {}", count - 1)));
+}
+
+std::vector<int> camerasOf(const Scene& scene, std::optional<int> camera) {
+  if (camera) {
+    requireCamera(scene, *camera);
+    return {*camera};
+  }
+  std::vector<int> all(scene.cameras.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+}  // namespace host

@@ -1,0 +1,51 @@
+// What the commands have in common on the command line.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <optional>
+#include <string>
+
+#include "host/commands/settings_table.h"
+#include "host/measure/interleaved.h"
+#include "host/measure/picture_settings.h"
+
+namespace host {
+
+struct PictureOptions {
+  PictureSettings settings;
+  bool json = false;
+};
+/// --effect, --technique, --samples, --seed, --set and --json. `options` must outlive the command.
+void addPictureOptions(CLI::App& command, PictureOptions& options);
+
+struct ViewOptions {
+  std::string scene = "hall";
+  std::optional<int> camera = 0;  ///< none is all
+  glm::ivec2 size{1920, 1080};
+};
+/// SCENE, --camera and --size.
+void addViewOptions(CLI::App& command, ViewOptions& options);
+
+struct TimingOptions {
+  bool timing = true;
+  std::optional<int> repeat;
+
+  /// Nothing where no timing is wanted.
+  [[nodiscard]] std::optional<RepeatPlan> plan() const;
+};
+/// --repeat and --no-timing.
+void addTimingOptions(CLI::App& command, TimingOptions& options);
+
+/// The settings that --set knows.
+SettingsTable settingsTable(PictureSettings& settings);
+
+/// All settings with defaults and meanings, for the end of a command's help.
+std::string describeSettings();
+
+/// Throws std::runtime_error with a sentence if the scene hasn't that camera.
+void requireCamera(const Scene& scene, int camera);
+
+/// The cameras to draw, 0-based: the one that was asked for, or all of them.
+std::vector<int> camerasOf(const Scene& scene, std::optional<int> camera);
+
+}  // namespace host

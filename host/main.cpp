@@ -1,0 +1,3 @@
+#include "host/commands/command_line.h"
+
+int main(int argc, char** argv) { return host::runCommandLine(argc, argv); }

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "host/measure/effect_instance.h"
+#include "host/measure/interleaved.h"
+#include "host/measure/measurement.h"
+#include "host/scene/scene.h"
+
+namespace host {
+
+/// What to look at, and how hard.
+struct ComparisonRequest {
+  int camera = 0;
+  glm::ivec2 size{0};
+  std::optional<RepeatPlan> timing;  ///< none: pictures and errors alone
+};
+
+/// The pictures of a comparison, encoded for display but for the effect's values.
+struct ComparisonPictures {
+  FloatImage reference;        ///< lit by the reference
+  FloatImage technique;        ///< lit by the technique
+  FloatImage referenceEffect;  ///< the effect's values, 0..1
+  FloatImage techniqueEffect;
+  FloatImage difference;  ///< of the effect's values, kDifferenceEnhancement times enhanced
+  FloatImage edges;       ///< red normals, green depth
+  FloatImage levels;  ///< the finest level at each pixel: red full, green half, blue quarter, black eighth
+};
+
+inline constexpr float kDifferenceEnhancement = 8.0f;
+
+/// Measures a technique against the effect at full resolution, on the effect's values and nothing else: the
+/// G-buffer is drawn before, the lighting after.
+class Comparison {
+ public:
+  /// `scene` must outlive the comparison.
+  Comparison(const Scene& scene, const PictureSettings& settings, bool softwareRasterizer);
+
+  Measurement measure(const ComparisonRequest& request, const PairObserver& observe = {});
+
+  /// Of what measure() was last asked.
+  ComparisonPictures pictures();
+
+ private:
+  FloatImage litBy(GLuint effect);
+
+  const Scene& scene_;
+  PictureSettings settings_;
+  bool softwareRasterizer_;
+  mres::gl::Profiler profiler_;
+  Renderer renderer_;
+  EffectInstance technique_;
+  EffectInstance reference_;
+  EffectInstance inspected_;
+  mres::Frame frame_;
+  FloatImage techniqueValues_;
+  FloatImage referenceValues_;
+};
+
+}  // namespace host

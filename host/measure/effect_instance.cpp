@@ -1,0 +1,87 @@
+#include "host/measure/effect_instance.h"
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+
+#include "host/measure/statistics.h"
+
+namespace host {
+namespace {
+
+constexpr int kInspectedFrames = 3;
+
+std::string stageName(std::string_view scope) {
+  constexpr std::string_view kPrefix = "mres.";
+  if (scope.starts_with(kPrefix)) scope.remove_prefix(kPrefix.size());
+  return std::string(scope);
+}
+
+/// The stages of one frame, those of the same name added up.
+std::vector<StageCost> stagesOf(const mres::Report& report) {
+  std::vector<StageCost> stages;
+  for (const mres::gl::StageTime& time : report.stages) {
+    const std::string name = stageName(time.name);
+    const auto known = std::ranges::find(stages, name, &StageCost::name);
+    if (known == stages.end())
+      stages.push_back({name, time.milliseconds});
+    else
+      known->milliseconds += time.milliseconds;
+  }
+  return stages;
+}
+
+/// Stage by stage the median of several frames, in the order of the first.
+std::vector<StageCost> medianStages(const std::vector<std::vector<StageCost>>& frames) {
+  std::map<std::string, std::vector<double>> times;
+  for (const auto& frame : frames)
+    for (const StageCost& stage : frame) times[stage.name].push_back(stage.milliseconds);
+  std::vector<StageCost> stages = frames.front();
+  for (StageCost& stage : stages) stage.milliseconds = median(times[stage.name]);
+  return stages;
+}
+
+mres::MultiResolution makeMultiResolution(const PictureSettings& settings, mres::Technique technique,
+                                          EffectInstance::Coverage coverage) {
+  mres::Options options;
+  options.measureCoverage = coverage == EffectInstance::Coverage::measured;
+  mres::MultiResolution multiResolution(options);
+  multiResolution.settings().technique = technique;
+  multiResolution.settings().mask = settings.mask;
+  return multiResolution;
+}
+
+}  // namespace
+
+EffectInstance::EffectInstance(const PictureSettings& settings, mres::Technique technique, Coverage coverage)
+    : effect_(makeEffect(settings)), multiResolution_(makeMultiResolution(settings, technique, coverage)) {}
+
+mres::Frame frameOf(const Renderer& renderer, const GBufferTextures& gbuffer, glm::ivec2 size) {
+  mres::Frame frame;
+  frame.depth = gbuffer.depth;
+  frame.normals = gbuffer.geometricNormal;
+  frame.size = size;
+  frame.view = renderer.view();
+  frame.projection = renderer.projection();
+  return frame;
+}
+
+void inspect(EffectInstance& instance, const mres::Frame& frame, Measurement& measurement) {
+  instance.render(frame);  // compiles the variants that measuring needs
+  instance.multiResolution().setProfiling(mres::gl::Profiler::Mode::finish);
+  std::vector<std::vector<StageCost>> frames;
+  for (int i = 0; i < kInspectedFrames; ++i) {
+    instance.render(frame);
+    frames.push_back(stagesOf(instance.multiResolution().report()));
+  }
+  instance.multiResolution().setProfiling(mres::gl::Profiler::Mode::off);
+
+  const mres::Report& report = instance.multiResolution().report();
+  measurement.stages = medianStages(frames);
+  for (const mres::LevelReport& level : report.levels) measurement.coverage.push_back(level.coverage);
+  for (const mres::Skip& skip : report.skipped)
+    measurement.skipped.push_back({std::string(skip.what), std::string(skip.reason)});
+  measurement.gpuBytes = report.bytes;
+}
+
+}  // namespace host

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+
+#include "host/measure/measurement.h"
+#include "host/measure/picture_settings.h"
+
+namespace host {
+
+/// One effect by one technique with targets of its own, so that two techniques can take turns without
+/// allocating.
+class EffectInstance {
+ public:
+  /// Measuring the coverage of levels costs a little: instances that are timed don't.
+  enum class Coverage { unmeasured, measured };
+
+  EffectInstance(const PictureSettings& settings, mres::Technique technique, Coverage coverage);
+
+  /// The texture of the effect's values.
+  GLuint render(const mres::Frame& frame) { return multiResolution_.render(*effect_, frame); }
+  mres::MultiResolution& multiResolution() { return multiResolution_; }
+
+ private:
+  std::unique_ptr<mres::Effect> effect_;
+  mres::MultiResolution multiResolution_;
+};
+
+/// What the renderer drew last, as mres wants it.
+mres::Frame frameOf(const Renderer& renderer, const GBufferTextures& gbuffer, glm::ivec2 size);
+
+/// Adds to `measurement` what a frame needs: the share of each level's pixels in which the effect runs, and
+/// each stage's time, from a few frames with a glFinish around every stage. They are slower than frames
+/// without, so that these times add up to more than a frame takes. `instance` must measure coverage.
+void inspect(EffectInstance& instance, const mres::Frame& frame, Measurement& measurement);
+
+}  // namespace host

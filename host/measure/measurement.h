@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/measure/error_metrics.h"
+#include "host/measure/interleaved.h"
+#include "host/measure/picture_settings.h"
+#include "host/scene/scene.h"
+
+namespace host {
+
+using Json = nlohmann::ordered_json;
+
+struct StageCost {
+  std::string name;
+  double milliseconds = 0.0;
+};
+
+struct SkippedPart {
+  std::string what;
+  std::string reason;
+};
+
+/// What was measured of one picture.
+struct Measurement {
+  std::string scene;
+  std::size_t triangles = 0;
+  int camera = 0;
+  std::string cameraName;
+  glm::ivec2 size{0};
+  std::string effect;
+  int samples = 0;
+  std::string technique;
+  std::optional<std::string> reference;
+  Json settings;                          ///< every setting that the picture depends on
+  std::optional<InterleavedTimes> times;  ///< none if pictures and errors alone were asked for; without
+                                          ///< reference runs there is no speedup
+  std::optional<ErrorMetrics> error;      ///< none without a reference
+  std::vector<double> coverage;           ///< finest level first
+  std::vector<StageCost> stages;          ///< of the technique
+  std::vector<SkippedPart> skipped;
+  std::size_t gpuBytes = 0;
+  Json pictures = Json::object();  ///< what a picture shows -> its file, relative to the report
+};
+
+/// What is known before anything is drawn.
+Measurement describePicture(const Scene& scene, const PictureSettings& settings, int camera, glm::ivec2 size);
+
+}  // namespace host
