@@ -13,7 +13,7 @@ Light sun() {
   light.type = LightType::directional;
   light.color = {1.0f, 0.86f, 0.66f};
   light.intensity = 4.5f;
-  light.direction = glm::normalize(glm::vec3(-1.0f, -0.52f, -0.22f));
+  light.direction = glm::normalize(glm::vec3(-1.0f, -0.36f, -0.2f));
   return light;
 }
 
@@ -21,8 +21,8 @@ std::vector<Camera> cameras() {
   return {
       lookAt("nave", {0.9f, 1.75f, 16.2f}, {-0.3f, 4.6f, -10.0f}, 62.0f),
       lookAt("gallery", {6.2f, 9.0f, 11.1f}, {-2.6f, 2.6f, -4.0f}, 60.0f),
-      lookAt("capital", {3.9f, 2.9f, 4.9f}, {6.0f, 4.15f, 2.5f}, 48.0f),
-      lookAt("balusters", {2.5f, 2.5f, -14.3f}, {10.4f, 3.2f, -15.4f}, 50.0f),
+      lookAt("capital", {4.5f, 3.3f, 4.4f}, {5.95f, 4.12f, 2.55f}, 46.0f),
+      lookAt("balusters", {3.1f, 2.42f, -14.75f}, {10.4f, 3.3f, -15.25f}, 52.0f),
       lookAt("floor", {2.7f, 0.35f, 12.0f}, {-0.9f, 1.5f, -4.0f}, 55.0f),
       lookAt("vaults", {0.6f, 1.7f, 3.5f}, {-0.2f, 12.0f, -5.0f}, 65.0f),
       lookAt("stairs", {-3.3f, 1.7f, -3.6f}, {1.2f, 2.6f, -15.0f}, 58.0f),

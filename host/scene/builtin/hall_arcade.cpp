@@ -11,7 +11,7 @@ namespace {
 using modelling::addBox;
 using modelling::addSweep;
 
-constexpr int kArchSegments = 20;
+constexpr int kArchSegments = 18;
 constexpr float kCorniceBottom = kGallery - 0.47f;
 
 /// The moulded band around an arch, `facing` +1 on the nave's side of the wall and -1 on the other.
@@ -92,7 +92,7 @@ void addCornice(Mesh& mesh) {
 }
 
 void addDentils(Mesh& mesh) {
-  constexpr int kDentils = 20;  // a bay
+  constexpr int kDentils = 18;  // a bay
   const float x = 0.5f * kThickness;
   for (int i = 0; i < kDentils; ++i) {
     const float z = (static_cast<float>(i) + 0.5f) * kBay / kDentils - 0.5f * kBay;
@@ -107,7 +107,7 @@ void addRoundel(Mesh& mesh) {
   appendArc(profile, {0.27f, 0.02f}, 0.04f, -20.0f, 160.0f, 4);
   profile.insert(profile.end(), {{0.2f, 0.015f}, {0.12f, 0.02f}, {0.08f, 0.06f}, {0.0f, 0.075f}});
   const std::size_t first = mesh.vertices.size();
-  modelling::addLathe(mesh, {0, 0, 0}, profile, 16);
+  modelling::addLathe(mesh, {0, 0, 0}, profile, 14);
   const glm::mat4 onWall = glm::translate(glm::mat4(1.0f), {0.5f * kThickness, 5.62f, 0.0f});
   modelling::transformFrom(mesh, first, glm::rotate(onWall, -glm::half_pi<float>(), {0, 0, 1}));
 }

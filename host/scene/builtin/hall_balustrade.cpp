@@ -25,16 +25,16 @@ std::vector<glm::vec2> handrailSection() {
 void addBaluster(Mesh& mesh, int segments) {
   addBox(mesh, {-0.07f, -kSunk, -0.07f}, {0.07f, 0.07f, 0.07f});
   addBox(mesh, {-0.065f, kBalusterHeight - 0.06f, -0.065f}, {0.065f, kBalusterHeight + kSunk, 0.065f});
-  constexpr std::array<glm::vec2, 11> kTurned{{{0.068f, 0.065f},
-                                               {0.07f, 0.095f},
+  constexpr std::array<glm::vec2, 11> kTurned{{{0.07f, 0.065f},
+                                               {0.068f, 0.1f},
                                                {0.045f, 0.12f},
                                                {0.068f, 0.175f},
                                                {0.088f, 0.24f},
-                                               {0.072f, 0.33f},
-                                               {0.04f, 0.45f},
-                                               {0.037f, 0.57f},
-                                               {0.06f, 0.6f},
-                                               {0.044f, 0.635f},
+                                               {0.07f, 0.335f},
+                                               {0.038f, 0.47f},
+                                               {0.038f, 0.575f},
+                                               {0.06f, 0.605f},
+                                               {0.044f, 0.64f},
                                                {0.066f, 0.715f}}};
   modelling::addLathe(mesh, {0, 0, 0}, kTurned, segments, 60.0f);
 }

@@ -52,12 +52,11 @@ struct Leaf {
     constexpr float kStep = 0.01f;
     const glm::vec2 growth = glm::normalize(midrib(along + kStep) - midrib(along - kStep));
     const glm::vec2 front(growth.y, -growth.x);
-    // Broad below, pointed above, with three pairs of lobes.
-    const float outline = std::pow(std::sin(glm::pi<float>() * glm::mix(0.3f, 0.985f, along)), 0.7f);
-    const float lobes = 1.0f + 0.16f * std::cos(along * glm::two_pi<float>() * 3.0f);
-    const float x = across * halfWidth * outline * lobes;
+    // Broad below, pointed above.
+    const float outline = std::pow(std::sin(glm::pi<float>() * glm::mix(0.26f, 0.98f, along)), 0.9f);
+    const float x = across * halfWidth * outline;
     // A raised midrib between two hollow halves whose edges turn back to the bell.
-    const float relief = 0.03f * (1.0f - std::abs(across)) - 0.035f * across * across;
+    const float relief = outline * (0.035f * (1.0f - std::abs(across)) - 0.04f * across * across);
     const glm::vec2 point = midrib(along) + front * (relief - behind * (1.0f - across * across));
     const float angle = x / point.x;
     return {point.x * std::sin(angle), point.y, point.x * std::cos(angle)};
@@ -65,12 +64,11 @@ struct Leaf {
 };
 
 void addLeaf(Mesh& mesh, const Leaf& leaf) {
-  constexpr float kThickness = 0.025f;
+  constexpr float kThickness = 0.03f;
   addPatch(mesh, [&](float u, float v) { return leaf.at(2.0f * u - 1.0f, v, 0.0f); }, {4, 5});
   // The back shares the front's borders, so the leaf is a closed shell.
   const auto back = [&](float u, float v) {
-    return leaf.at(1.0f - 2.0f * u, v,
-                   kThickness * std::sin(glm::half_pi<float>() * std::min(2.0f * v, 1.0f)));
+    return leaf.at(1.0f - 2.0f * u, v, kThickness * std::sin(glm::pi<float>() * v));
   };
   addPatch(mesh, back, {2, 5});
 }
@@ -117,8 +115,8 @@ std::vector<glm::vec2> abacusOutline(float halfWidth) {
     const float turn = glm::half_pi<float>() * static_cast<float>(side);
     const glm::vec2 out(std::cos(turn), std::sin(turn));
     const glm::vec2 along(-out.y, out.x);
-    for (int i = 0; i <= 6; ++i) {
-      const float t = static_cast<float>(i) / 3.0f - 1.0f;
+    for (int i = 0; i <= 4; ++i) {
+      const float t = static_cast<float>(i) / 2.0f - 1.0f;
       outline.push_back((halfWidth - kHollow * (1.0f - t * t)) * out + t * (halfWidth - kCorner) * along);
     }
   }
@@ -140,8 +138,8 @@ void addAbacus(Mesh& mesh) {
 
 void addCapital(Mesh& mesh) {
   addBell(mesh);
-  addLeaves(mesh, {.height = 0.27f, .halfWidth = 0.135f, .curl = 0.11f, .bottom = 0.0f}, 0.0f);
-  addLeaves(mesh, {.height = 0.47f, .halfWidth = 0.135f, .curl = 0.14f, .bottom = 0.02f}, 0.5f);
+  addLeaves(mesh, {.height = 0.27f, .halfWidth = 0.122f, .curl = 0.15f, .bottom = 0.0f}, 0.0f);
+  addLeaves(mesh, {.height = 0.47f, .halfWidth = 0.115f, .curl = 0.19f, .bottom = 0.03f}, 0.5f);
   addVolutes(mesh);
   addAbacus(mesh);
 }

@@ -61,7 +61,7 @@ void addBase(Mesh& mesh) {
   profile.insert(profile.end(), {{0.475f, 0.425f}});
   appendArc(profile, {0.44f, 0.46f}, 0.035f, -90.0f, 90.0f, 3);
   profile.insert(profile.end(), {{0.425f, 0.505f}, {kBottomRadius, kBaseHeight + 0.005f}});
-  addLathe(mesh, {0, 0, 0}, profile, 22);
+  addLathe(mesh, {0, 0, 0}, profile, 18);
 }
 
 /// The ring between shaft and capital.
@@ -69,7 +69,7 @@ void addNecking(Mesh& mesh) {
   std::vector<glm::vec2> profile{{kShaftTopRadius - 0.01f, kShaftTop - 0.05f}};
   appendArc(profile, {kShaftTopRadius, kShaftTop - 0.015f}, 0.03f, -80.0f, 80.0f, 3);
   profile.emplace_back(kShaftTopRadius - 0.02f, kShaftTop + 0.02f);
-  addLathe(mesh, {0, 0, 0}, profile, 20);
+  addLathe(mesh, {0, 0, 0}, profile, 18);
 }
 
 /// The half piers on the end walls that answer the columns.

@@ -8,7 +8,6 @@ namespace host::hall {
 namespace {
 
 using modelling::addBox;
-using modelling::addPatch;
 using modelling::addSweep;
 
 void addCarpets(Hall& hall) {
@@ -72,37 +71,41 @@ void addUrns(Hall& hall) {
   }
 }
 
-/// Cloth that hangs from y = 0 down to a pointed end, rippled, facing +x; both sides are modelled.
+/// Cloth that hangs from y = 0 down to a pointed end, rippled, facing +x.
 void addBannerCloth(Mesh& mesh) {
   constexpr float kHalfWidth = 0.6f;
   constexpr float kLength = 2.9f;
-  const auto cloth = [](float across, float down, float offset) {
+  const auto cloth = [](float u, float v) {
+    const float across = 2.0f * u - 1.0f;
+    const float down = 1.0f - v;
     const float length = kLength - 0.45f * std::abs(across);
     const float ripple =
         0.05f * down * std::sin(7.0f * across + 1.5f * down) + 0.03f * down * std::sin(4.0f * down);
-    return glm::vec3(ripple + offset, -length * down, -kHalfWidth * across);
+    return glm::vec3(ripple, -length * down, -kHalfWidth * across);
   };
-  addPatch(mesh, [&](float u, float v) { return cloth(2.0f * u - 1.0f, 1.0f - v, 0.004f); }, {8, 10});
-  addPatch(mesh, [&](float u, float v) { return cloth(1.0f - 2.0f * u, 1.0f - v, -0.004f); }, {8, 10});
+  modelling::addPatch(mesh, cloth, {10, 12});
 }
 
-/// Banners on poles on both sides of the rose.
+/// Banners on poles: beside the doors, and along the nave on the piers between the gallery's arches.
 void addBanners(Hall& hall) {
   Mesh cloth = makeMesh("banner", hall.material.banner);
   addBannerCloth(cloth);
   Mesh pole = makeMesh("banner pole", hall.material.bronze);
-  const std::vector<glm::vec3> bar{{0.0f, 0.02f, 0.72f}, {0.0f, 0.02f, -0.72f}};
-  addSweep(pole, modelling::circleOutline(0.025f, 10), bar);
-  for (const float z : {-0.74f, 0.74f})
-    modelling::addEllipsoid(pole, {0.0f, 0.02f, z}, glm::vec3(0.045f), {12, 8});
-  for (const float z : {-0.4f, 0.4f}) addBox(pole, {-0.32f, 0.0f, z - 0.015f}, {0.0f, 0.035f, z + 0.015f});
+  const std::vector<glm::vec3> bar{{0.0f, 0.02f, 1.0f}, {0.0f, 0.02f, -0.72f}};
+  addSweep(pole, modelling::circleOutline(0.025f, 8), bar);
+  modelling::addEllipsoid(pole, {0.0f, 0.02f, -0.74f}, glm::vec3(0.045f), {8, 6});
   const int clothIndex = hall.builder.addMesh(std::move(cloth));
   const int poleIndex = hall.builder.addMesh(std::move(pole));
-  for (const float x : {-4.0f, 4.0f}) {
-    const glm::mat4 placed = glm::rotate(glm::translate(glm::mat4(1.0f), {x, 6.9f, kHalfLength - 0.3f}),
-                                         glm::half_pi<float>(), {0, 1, 0});
-    hall.builder.place(clothIndex, placed);
-    hall.builder.place(poleIndex, placed);
+  constexpr float kHeight = 9.3f;
+  constexpr float kReach = 1.12f;  // from the wall to the banner's middle
+  for (const float z : {-7.5f, -2.5f, 2.5f, 7.5f, 12.5f}) {
+    for (const float side : {-1.0f, 1.0f}) {  // the pole's free end (-z) turns to the middle of the nave
+      const glm::vec3 place(side * (kNaveFace - kReach), kHeight, z);
+      const glm::mat4 placed =
+          glm::rotate(glm::translate(glm::mat4(1.0f), place), side * glm::half_pi<float>(), {0, 1, 0});
+      hall.builder.place(clothIndex, placed);
+      hall.builder.place(poleIndex, placed);
+    }
   }
 }
 
@@ -116,7 +119,7 @@ void addUrn(Mesh& mesh, glm::vec3 base, float height) {
       {0.1f, 0.95f},  {0.05f, 0.97f},  {0.06f, 1.0f},  {0.0f, 1.02f}};
   std::vector<glm::vec2> profile;
   for (const glm::vec2 point : unit) profile.push_back(height * point);
-  modelling::addLathe(mesh, base, profile, 16, 50.0f);
+  modelling::addLathe(mesh, base, profile, 12, 50.0f);
 }
 
 void addFurnishing(Hall& hall) {

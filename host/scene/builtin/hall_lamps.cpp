@@ -90,7 +90,7 @@ void addLamps(Hall& hall) {
   constexpr float kHeight = 7.6f;
   constexpr float kBossBottom = kVaultSpringing + kVaultRise - 0.4f;
   placeLamp(hall, makeChandelier(hall, kBossBottom - kHeight),
-            {{0.0f, kHeight, -5.0f}, {0.0f, kHeight, 5.0f}, {0.0f, kHeight, 15.0f}});
+            {{0.0f, kHeight, -5.0f}, {0.0f, kHeight, 5.0f}});
   constexpr float kCandelabrumTop = 1.6f;
   placeLamp(hall, makeCandelabrum(hall),
             {{2.2f, kPlatformHeight + kCandelabrumTop, -15.4f},

@@ -12,6 +12,7 @@ using modelling::addBox;
 using modelling::addSweep;
 
 constexpr float kFoundation = -0.5f;
+constexpr int kArchSegments = 16;  // of the windows
 constexpr float kHalfWall = 0.5f * kThickness;
 
 void addFloor(Hall& hall) {
@@ -33,7 +34,8 @@ void addOuterBay(Mesh& mesh) {
   addBox(mesh, {-kHalfWall, kFoundation, -kHalfBay}, {kHalfWall, kAisleWindow.sill, kHalfBay});
   for (const auto& [opening, top] :
        {std::pair(kAisleWindow, kGalleryWindow.sill), std::pair(kGalleryWindow, kGalleryRoof)}) {
-    addWall(mesh, archedWall(kHalfBay, opening.sill, top, opening.halfWidth, opening.springing, 20));
+    addWall(mesh,
+            archedWall(kHalfBay, opening.sill, top, opening.halfWidth, opening.springing, kArchSegments));
   }
 }
 
@@ -42,11 +44,11 @@ void addWindowDressings(Mesh& mesh) {
   for (const Opening& opening : {kAisleWindow, kGalleryWindow}) {
     const float edge = opening.halfWidth + 0.12f;
     addBox(mesh, {kHalfWall - 0.5f, opening.sill - 0.1f, -edge},
-           {kHalfWall + 0.1f, opening.sill + 0.025f, edge}, 0.02f);
+           {kHalfWall + 0.1f, opening.sill + 0.025f, edge});
     std::vector<glm::vec3> path{{kHalfWall, opening.sill + kSunk, -opening.halfWidth - 0.05f}};
     const std::vector<glm::vec3> arch =
         modelling::arcPath({kHalfWall, opening.springing, 0.0f}, {0.0f, 0.0f, -opening.halfWidth - 0.05f},
-                           {0.0f, opening.halfWidth + 0.05f, 0.0f}, 0.0f, glm::pi<float>(), 20);
+                           {0.0f, opening.halfWidth + 0.05f, 0.0f}, 0.0f, glm::pi<float>(), kArchSegments);
     path.insert(path.end(), arch.begin(), arch.end());
     path.emplace_back(kHalfWall, opening.sill + kSunk, opening.halfWidth + 0.05f);
     const std::vector<glm::vec2> band{
@@ -57,14 +59,14 @@ void addWindowDressings(Mesh& mesh) {
 
 /// The flat piers that carry the aisle vaults' ribs, centred on z = 0.
 void addPier(Mesh& mesh) {
-  const auto block = [&](float bottom, float top, float halfWidth, float projection) {
-    addBox(mesh, {kHalfWall - 0.04f, bottom, -halfWidth}, {kHalfWall + projection, top, halfWidth}, 0.015f);
+  const auto block = [&](float bottom, float top, float halfWidth, float projection, float bevel) {
+    addBox(mesh, {kHalfWall - 0.04f, bottom, -halfWidth}, {kHalfWall + projection, top, halfWidth}, bevel);
   };
-  block(-kSunk, 0.3f, 0.34f, 0.24f);
-  block(0.29f, kSpringing - 0.34f, 0.27f, 0.17f);
-  block(kSpringing - 0.36f, kSpringing - 0.28f, 0.3f, 0.2f);
-  block(kSpringing - 0.29f, kSpringing - 0.13f, 0.285f, 0.185f);
-  block(kSpringing - 0.14f, kSpringing + kSunk, 0.34f, 0.28f);
+  block(-kSunk, 0.3f, 0.34f, 0.24f, 0.015f);
+  block(0.29f, kSpringing - 0.34f, 0.27f, 0.17f, 0.0f);
+  block(kSpringing - 0.36f, kSpringing - 0.28f, 0.3f, 0.2f, 0.0f);
+  block(kSpringing - 0.29f, kSpringing - 0.13f, 0.285f, 0.185f, 0.0f);
+  block(kSpringing - 0.14f, kSpringing + kSunk, 0.34f, 0.28f, 0.015f);
 }
 
 /// Oak panelling below the aisle windows, one bay.
@@ -75,10 +77,10 @@ void addWainscot(Mesh& mesh) {
   addBox(mesh, {kHalfWall, -kSunk, -kHalfRun - 0.01f}, {kHalfWall + 0.055f, 0.16f, kHalfRun + 0.01f});
   addBox(mesh, {kHalfWall - 0.03f, kTop - 0.01f, -kHalfRun - 0.01f},
          {kHalfWall + 0.09f, kTop + 0.06f, kHalfRun + 0.01f}, 0.02f);
-  constexpr int kPanels = 5;
+  constexpr int kPanels = 4;
   for (int i = 0; i < kPanels; ++i) {
     const float z = kHalfRun * (2.0f * (static_cast<float>(i) + 0.5f) / kPanels - 1.0f);
-    addBox(mesh, {kHalfWall + 0.02f, 0.28f, z - 0.34f}, {kHalfWall + 0.055f, 1.14f, z + 0.34f}, 0.025f);
+    addBox(mesh, {kHalfWall + 0.02f, 0.28f, z - 0.44f}, {kHalfWall + 0.055f, 1.14f, z + 0.44f}, 0.025f);
   }
 }
 

@@ -12,7 +12,7 @@ using modelling::addBox;
 constexpr float kStairFoot = kPlatformFront + kTread * kSteps;
 constexpr float kBalustradeX = kStairHalfWidth + 0.14f;
 constexpr float kNosing = 0.03f;
-constexpr int kSegments = 12;  // of the balusters
+constexpr int kSegments = 10;  // of the balusters
 
 /// (distance from the platform's front, height): steps with projecting nosings.
 std::vector<glm::vec2> stepsOutline() {
@@ -58,9 +58,9 @@ void addNewel(Mesh& mesh, glm::vec3 base) {
     addBox(mesh, base + glm::vec3(-halfWidth, bottom, -halfWidth),
            base + glm::vec3(halfWidth, top, halfWidth), bevel);
   };
-  block(-kSunk, 0.14f, 0.27f, 0.015f);
+  block(-kSunk, 0.14f, 0.27f, 0.0f);
   block(0.13f, 0.98f, 0.22f, 0.0f);
-  block(0.97f, 1.03f, 0.25f, 0.02f);
+  block(0.97f, 1.03f, 0.25f, 0.0f);
   block(1.02f, 1.1f, 0.29f, 0.02f);
   for (const float turn : {0.0f, 1.0f, 2.0f, 3.0f}) {  // sunk panels would vanish at a distance: raised ones
     const std::size_t first = mesh.vertices.size();

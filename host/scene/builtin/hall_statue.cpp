@@ -49,7 +49,7 @@ glm::vec3 robe(float u, float v) {
 }
 
 void addFigure(Mesh& mesh) {
-  addPatch(mesh, robe, {56, 24});
+  addPatch(mesh, robe, {50, 22});
   addBox(mesh, {-0.44f, -0.1f, -0.38f}, {0.44f, 0.03f, 0.38f}, 0.03f);
   addEllipsoid(mesh, {0.0f, kFigureHeight + 0.02f, 0.0f}, {0.065f, 0.12f, 0.07f}, {16, 8});     // neck
   addEllipsoid(mesh, {0.0f, kFigureHeight + 0.22f, 0.02f}, {0.115f, 0.16f, 0.135f}, {18, 12});  // head

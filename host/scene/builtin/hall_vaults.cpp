@@ -68,13 +68,13 @@ void addBoss(Mesh& mesh, float y, float radius) {
 void addNaveVault(Hall& hall) {
   const GroinVault vault{{kNaveFace + 0.07f, 0.5f * kBay}, kVaultRise};
   Mesh webs = makeMesh("nave vault", hall.material.vault);
-  addWebs(webs, vault, {16, 9});
+  addWebs(webs, vault, {14, 8});
   Mesh diagonals = makeMesh("nave vault ribs", hall.material.dressed);
-  addRib(diagonals, {vault.span.x, 0.0f, vault.span.y}, vault.rise, {0.11f, 0.2f}, 24);
-  addRib(diagonals, {vault.span.x, 0.0f, -vault.span.y}, vault.rise, {0.11f, 0.2f}, 24);
+  addRib(diagonals, {vault.span.x, 0.0f, vault.span.y}, vault.rise, {0.11f, 0.2f}, 22);
+  addRib(diagonals, {vault.span.x, 0.0f, -vault.span.y}, vault.rise, {0.11f, 0.2f}, 22);
   addBoss(diagonals, vault.rise, 0.42f);
   Mesh transverse = makeMesh("nave transverse rib", hall.material.dressed);
-  addRib(transverse, {vault.span.x, 0.0f, 0.0f}, vault.rise, {0.24f, 0.3f}, 28);
+  addRib(transverse, {vault.span.x, 0.0f, 0.0f}, vault.rise, {0.24f, 0.3f}, 26);
 
   const int websIndex = hall.builder.addMesh(std::move(webs));
   const int diagonalsIndex = hall.builder.addMesh(std::move(diagonals));

@@ -50,7 +50,7 @@ void addTracery(Mesh& mesh, const Opening& opening) {
   const float lancet = 0.5f * radius;
   const float lancetSpringing = opening.springing - 0.35f * opening.halfWidth;
   for (const float side : {-1.0f, 1.0f}) {
-    addArchedBar(mesh, {side * lancet, lancetSpringing}, opening.sill - kSunk, lancet, kMullion, 9);
+    addArchedBar(mesh, {side * lancet, lancetSpringing}, opening.sill - kSunk, lancet, kMullion, 8);
   }
   addRing(mesh, {0.0f, opening.springing + 0.42f * opening.halfWidth}, 0.34f * opening.halfWidth, kMullion);
 }
