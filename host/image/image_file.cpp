@@ -1,10 +1,12 @@
 #include "host/image/image_file.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <fmt/format.h>
+#include <fstream>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -64,15 +66,27 @@ std::vector<float> withoutNan(std::vector<float> pixels) {
   return pixels;
 }
 
-void encode(const std::string& path, const FloatImage& image, const Format& format) {
+/// In memory: OpenImageIO's PNG writer does not notice a full disk.
+std::vector<unsigned char> encode(const FloatImage& image, const Format& format) {
   const auto output = OIIO::ImageOutput::create(format.name);
   if (!output) throw std::runtime_error(OIIO::geterror());
+  std::vector<unsigned char> bytes;
+  OIIO::Filesystem::IOVecOutput proxy(bytes);
   const bool isInteger = format.pixelType == OIIO::TypeDesc::UINT8;
   const std::vector<float> sanitized = isInteger ? withoutNan(image.pixels) : std::vector<float>();
   const std::vector<float>& pixels = isInteger ? sanitized : image.pixels;
-  const bool written = output->open(path, specFor(image, format)) &&
+  const bool encoded = output->set_ioproxy(&proxy) && output->open(format.name, specFor(image, format)) &&
                        output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()) && output->close();
-  if (!written) throw std::runtime_error(output->geterror());
+  if (!encoded) throw std::runtime_error(output->geterror());
+  return bytes;
+}
+
+void writeBytes(const std::string& path, const std::vector<unsigned char>& bytes) {
+  std::ofstream stream(path, std::ios::binary);
+  stream.write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
+  stream.close();
+  if (!stream)
+    throw std::runtime_error("the disk is full or not writable; make room or choose another folder");
 }
 
 void checkFolder(const std::filesystem::path& path) {
@@ -139,7 +153,7 @@ void writeImage(const std::filesystem::path& path, const FloatImage& image) {
     checkImage(image);
     checkFolder(path);
     const TemporaryFile file(path);
-    encode(file.path(), image, format);
+    writeBytes(file.path(), encode(image, format));
     file.moveIntoPlace();
   } catch (const std::exception& error) {
     throw std::runtime_error(fmt::format("can't write '{}': {}", path.string(), error.what()));

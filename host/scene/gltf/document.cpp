@@ -49,19 +49,29 @@ void makeIntegral(Json& value) {
   if (std::abs(number) <= kMaxExact && number == std::floor(number)) value = std::int64_t(number);
 }
 
-Json parseJson(std::string_view text) {
-  const Json::parser_callback_t check = [](int depth, Json::parse_event_t event, Json& parsed) {
+/// Prepares all values for tinygltf. Iterative, as the point is to find out whether recursion would be safe.
+void prepare(Json& root) {
+  std::vector<std::pair<Json*, int>> pending = {{&root, 0}};
+  while (!pending.empty()) {
+    const auto [value, depth] = pending.back();
+    pending.pop_back();
     if (depth > kMaxJsonDepth)
       throw std::runtime_error("its JSON is nested too deeply; export the file again");
-    if (event == Json::parse_event_t::value) makeIntegral(parsed);
-    return true;
-  };
+    makeIntegral(*value);
+    if (!value->is_structured()) continue;
+    for (Json& child : *value) pending.emplace_back(&child, depth + 1);
+  }
+}
+
+Json parseJson(std::string_view text) {
   const auto start = text.find_first_not_of("\xEF\xBB\xBF \t\r\n");  // a byte order mark, spaces
   if (start == std::string_view::npos || text[start] != '{') {
     throw std::runtime_error("it is not a glTF file; name a .gltf or .glb file");
   }
   try {
-    return Json::parse(text, check);
+    Json json = Json::parse(text);
+    prepare(json);
+    return json;
   } catch (const Json::parse_error& error) {
     throw std::runtime_error(fmt::format("its JSON is broken at byte {}; get a complete copy", error.byte));
   } catch (const Json::exception&) {

@@ -109,7 +109,7 @@ class MaterialConverter {
     material_.baseColorTexture = use(referenceOf(pbr.baseColorTexture));
     material_.metallicRoughnessTexture = use(referenceOf(pbr.metallicRoughnessTexture));
     const bool lost =
-        pbr.metallicRoughnessTexture.index >= 0 && material_.metallicRoughnessTexture.texture < 0;
+        pbr.metallicRoughnessTexture.index != -1 && material_.metallicRoughnessTexture.texture < 0;
     if (lost) material_.metallic = 0.0f;
   }
 
@@ -133,7 +133,7 @@ class MaterialConverter {
     material_.emissive = factor * std::max(toFloat(scale), 0.0f);
     if (factor == glm::vec3(0.0f)) return;  // the texture could not show
     material_.emissiveTexture = use(referenceOf(source_.emissiveTexture));
-    const bool lost = source_.emissiveTexture.index >= 0 && material_.emissiveTexture.texture < 0;
+    const bool lost = source_.emissiveTexture.index != -1 && material_.emissiveTexture.texture < 0;
     if (lost) material_.emissive = glm::vec3(0.0f);
   }
 
