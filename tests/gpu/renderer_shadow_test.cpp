@@ -1,0 +1,226 @@
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <gmock/gmock.h>
+
+#include "host/renderer/shadow/shadow_fit.h"
+#include "tests/gpu/renderer_support.h"
+
+namespace host::test {
+namespace {
+
+class ShadowTest : public RendererTest {};
+
+/// A floor of 20 metres whose normal is +Y.
+void addFloor(Scene& scene, const glm::mat4& tilt = glm::mat4(1.0f)) {
+  const glm::mat4 flat = glm::rotate(glm::mat4(1.0f), -glm::half_pi<float>(), glm::vec3(1.0f, 0.0f, 0.0f));
+  place(scene, square(), chalk(), tilt * flat * glm::scale(glm::mat4(1.0f), glm::vec3(10.0f)));
+}
+
+Camera fromAbove(glm::vec3 target = glm::vec3(0.0f)) {
+  Camera camera = lookAt("above", target + glm::vec3(0.0f, 12.0f, 0.01f), target, 40.0f);
+  camera.farPlane = 50.0f;
+  return camera;
+}
+
+/// Lit over unlit: 1 where the sun is seen.
+FloatImage visibility(const FloatImage& lit) {
+  FloatImage result = lit;
+  const float brightest = *std::ranges::max_element(lit.pixels);
+  for (float& value : result.pixels) value /= brightest;
+  return result;
+}
+
+TEST_F(ShadowTest, ABoxCastsItsShadowWhereGeometrySays) {
+  Scene scene = darkScene();
+  addFloor(scene);
+  // A cube of 1 m whose lower side is 1 m above the floor; a sun at 45 degrees moves its shadow by 1 to 2 m
+  // in x.
+  place(scene, cube(), chalk(),
+        glm::scale(glm::translate(glm::mat4(1.0f), {0.0f, 1.5f, 0.0f}), glm::vec3(0.5f)));
+  scene.lights.push_back(sunAlong({1.0f, -1.0f, 0.0f}, 1.0f));
+  const FloatImage seen = visibility(drawLit(scene, fromAbove(), {96, 96}));
+  const float metresPerPixel = 2.0f * 12.0f * std::tan(glm::radians(20.0f)) / 96.0f;
+  const auto at = [&](float x, float z) {
+    return pixel(seen, glm::ivec2(glm::vec2(x, z) / metresPerPixel + 48.0f)).g;
+  };
+  EXPECT_LT(at(1.5f, 0.0f), 0.01f);
+  EXPECT_LT(at(2.3f, 0.3f), 0.01f);
+  EXPECT_GT(at(2.75f, 0.0f), 0.9f);
+  EXPECT_GT(at(1.5f, 0.75f), 0.9f);
+  EXPECT_GT(at(-2.0f, 0.0f), 0.9f);
+}
+
+TEST_F(ShadowTest, AContactShadowStartsAtTheContact) {
+  Scene scene = darkScene();
+  addFloor(scene);
+  place(scene, cube(), chalk(), glm::translate(glm::mat4(1.0f), {-1.0f, 1.0f, 0.0f}));  // its side is x = 0
+  scene.lights.push_back(sunAlong({1.0f, -1.0f, 0.0f}, 1.0f));
+  Camera camera = lookAt("contact", {0.6f, 0.5f, 0.0f}, {0.0f, 0.0f, 0.0f}, 20.0f);
+  camera.nearPlane = 0.01f;
+  camera.farPlane = 20.0f;
+  const FloatImage lit = drawLit(scene, camera, {64, 64});
+  // Just under the middle lies the floor, less than two centimetres in front of the box.
+  EXPECT_LT(pixel(lit, {32, 33}).g, 0.01f);
+  EXPECT_LT(pixel(lit, {32, 36}).g, 0.01f);
+}
+
+TEST_F(ShadowTest, NoSurfaceShadowsItself) {
+  for (const float sunDegrees : {5.0f, 20.0f, 45.0f, 70.0f, 89.0f}) {
+    for (const float tiltDegrees : {0.0f, 10.0f, 40.0f}) {
+      Scene scene = darkScene();
+      const float sun = glm::radians(sunDegrees);
+      const glm::vec3 axis = glm::normalize(glm::vec3(0.3f, 0.0f, 1.0f));
+      addFloor(scene, glm::rotate(glm::mat4(1.0f), glm::radians(tiltDegrees), axis));
+      scene.lights.push_back(sunAlong({std::cos(sun), -std::sin(sun), 0.2f * std::cos(sun)}, 1.0f));
+      const FloatImage lit = drawLit(scene, fromAbove(), {96, 96});
+      const auto [least, most] = std::ranges::minmax_element(lit.pixels);
+      ASSERT_GT(*most, 0.0f);
+      EXPECT_GT(*least, 0.9f * *most) << sunDegrees << " degrees of sun, tilt " << tiltDegrees;
+    }
+  }
+}
+
+TEST_F(ShadowTest, CurvedSurfacesShadowThemselvesOnlyBeyondTheTerminator) {
+  Scene scene = darkScene();
+  Mesh ball;
+  for (int ring = 0; ring <= 64; ++ring) {
+    for (int sector = 0; sector <= 128; ++sector) {
+      const float polar = static_cast<float>(ring) / 64.0f * glm::pi<float>();
+      const float around = static_cast<float>(sector) / 128.0f * glm::two_pi<float>();
+      const glm::vec3 normal(std::sin(polar) * std::sin(around), std::cos(polar),
+                             std::sin(polar) * std::cos(around));
+      ball.vertices.push_back({normal, normal, {1.0f, 0.0f, 0.0f, 1.0f}, {}});
+    }
+  }
+  for (std::uint32_t ring = 0; ring < 64; ++ring) {
+    for (std::uint32_t sector = 0; sector < 128; ++sector) {
+      const std::uint32_t a = ring * 129 + sector;
+      for (const std::uint32_t index : {a, a + 129, a + 1, a + 1, a + 129, a + 130})
+        ball.indices.push_back(index);
+    }
+  }
+  place(scene, ball, chalk());
+  scene.lights.push_back(sunAlong({-1.0f, 0.0f, 0.0f}, 1.0f));
+  const Camera camera = frontCamera(4.0f);
+  const GBuffer gbuffer = drawGBuffer(scene, camera, {96, 96});
+  const FloatImage lit = drawLit(scene, camera, {96, 96});
+  int checked = 0;
+  for (int y = 0; y < 96; ++y) {
+    for (int x = 0; x < 96; ++x) {
+      if (pixel(gbuffer.depth, {x, y}).x == 1.0f) continue;
+      const float cosine = unpackNormal(pixel(gbuffer.normal, {x, y})).x;
+      if (cosine < 0.15f) continue;
+      ++checked;
+      EXPECT_GT(pixel(lit, {x, y}).g, 0.85f * cosine * 0.9f / glm::pi<float>()) << x << ", " << y;
+    }
+  }
+  EXPECT_GT(checked, 500);
+}
+
+TEST_F(ShadowTest, AlphaMaskedCastersLeaveHolesAndGlassCastsNothing) {
+  const auto lightUnder = [&](AlphaMode mode, std::uint8_t alpha) {
+    Scene scene = darkScene();
+    addFloor(scene);
+    Material screen = chalk();
+    screen.alphaMode = mode;
+    screen.doubleSided = true;
+    screen.baseColorTexture.texture = addTexture(scene, {1, 1}, {255, 255, 255, alpha});
+    const glm::mat4 flat = glm::rotate(glm::mat4(1.0f), glm::half_pi<float>(), glm::vec3(1.0f, 0.0f, 0.0f));
+    place(scene, square(), screen, glm::translate(glm::mat4(1.0f), {2.0f, 2.0f, 0.0f}) * flat);
+    scene.lights.push_back(sunAlong({-1.0f, -1.0f, 0.0f}, 1.0f));
+    return centre(drawLit(scene, fromAbove())).g;
+  };
+  EXPECT_EQ(lightUnder(AlphaMode::opaque, 0), 0.0f);
+  EXPECT_EQ(lightUnder(AlphaMode::mask, 200), 0.0f);
+  EXPECT_GT(lightUnder(AlphaMode::mask, 50), 0.1f);
+  EXPECT_GT(lightUnder(AlphaMode::blend, 200), 0.1f);
+}
+
+TEST_F(ShadowTest, TheMapIsKeptWhileNothingChanges) {
+  Scene scene = darkScene();
+  addFloor(scene);
+  scene.lights.push_back(sunAlong({1.0f, -1.0f, 0.0f}, 1.0f));
+  mres::gl::Profiler timed(mres::gl::Profiler::Mode::finish);
+  Renderer renderer(scene, timed);
+  const auto drewShadow = [&](const Camera& camera) {
+    timed.beginFrame();
+    renderer.drawGeometry(camera, kSize);
+    timed.endFrame();
+    return std::ranges::any_of(timed.stages(), [](const auto& stage) { return stage.name == "host.shadow"; });
+  };
+  EXPECT_TRUE(drewShadow(fromAbove()));
+  EXPECT_FALSE(drewShadow(fromAbove()));
+  EXPECT_TRUE(drewShadow(fromAbove({5.0f, 0.0f, 0.0f})));
+}
+
+constexpr int kMapSize = 1024;
+
+std::optional<ShadowFit> fitTo(const Camera& camera, const Bounds& scene) {
+  const CameraView view(camera, kSize);
+  return fitShadow(camera, view, static_cast<float>(kSize.x) / static_cast<float>(kSize.y), scene,
+                   glm::normalize(glm::vec3(0.4f, 1.0f, 0.2f)), kMapSize);
+}
+
+TEST(ShadowFitTest, CoversWhatIsSeenAndEveryCaster) {
+  const Bounds room{{-10.0f, 0.0f, -20.0f}, {10.0f, 6.0f, 20.0f}};
+  const Camera camera = lookAt("", {1.0f, 2.0f, 5.0f}, {0.0f, 1.0f, -5.0f}, 60.0f);
+  const auto fit = fitTo(camera, room);
+  ASSERT_TRUE(fit.has_value());
+  const CameraView view(camera, kSize);
+  const glm::mat4 toMap = fit->clipMatrix(camera.position);
+  for (float x = -10.0f; x <= 10.0f; x += 0.5f) {
+    for (float z = -20.0f; z <= 20.0f; z += 0.5f) {
+      const glm::vec3 point = glm::vec3(x, 0.0f, z) - camera.position;
+      const glm::vec4 clip = view.worldToClip * glm::vec4(point, 1.0f);
+      if (glm::any(glm::greaterThan(glm::abs(glm::vec3(clip)), glm::vec3(clip.w)))) continue;
+      const glm::vec3 inMap(toMap * glm::vec4(point, 1.0f));
+      EXPECT_LT(std::max({std::abs(inMap.x), std::abs(inMap.y), std::abs(inMap.z)}), 1.0f) << x << ", " << z;
+    }
+  }
+  const glm::vec3 roof = glm::vec3(0.0f, 6.0f, 0.0f) - camera.position;
+  EXPECT_GT((toMap * glm::vec4(roof, 1.0f)).z, -1.0f);
+}
+
+TEST(ShadowFitTest, MovesByWholeTexels) {
+  const Bounds ground{{-500.0f, 0.0f, -500.0f}, {500.0f, 10.0f, 500.0f}};
+  Camera camera = lookAt("", {0.0f, 5.0f, 0.0f}, {10.0f, 0.0f, 0.0f}, 50.0f);
+  camera.farPlane = 60.0f;
+  const auto first = fitTo(camera, ground);
+  ASSERT_TRUE(first.has_value());
+  for (int step = 0; step < 20; ++step) {
+    camera.position.x += 0.013f;
+    camera.position.z -= 0.007f;
+    const auto moved = fitTo(camera, ground);
+    ASSERT_TRUE(moved.has_value());
+    EXPECT_EQ(moved->extent, first->extent);
+    const glm::dvec2 texels = (moved->corner - first->corner) / (first->extent / kMapSize);
+    EXPECT_NEAR(texels.x, std::round(texels.x), 1e-6);
+    EXPECT_NEAR(texels.y, std::round(texels.y), 1e-6);
+  }
+}
+
+TEST(ShadowFitTest, IsNothingWhereNothingIsSeen) {
+  const Bounds box{glm::vec3(-1.0f), glm::vec3(1.0f)};
+  EXPECT_FALSE(fitTo(lookAt("", {0.0f, 0.0f, 5.0f}, {0.0f, 0.0f, 9.0f}, 60.0f), box).has_value());
+  EXPECT_TRUE(fitTo(lookAt("", {0.0f, 0.0f, 5.0f}, {0.0f, 0.0f, 0.0f}, 60.0f), box).has_value());
+  EXPECT_TRUE(fitTo(lookAt("", glm::vec3(0.0f), {0.0f, 0.0f, 1.0f}, 60.0f), box).has_value());  // from inside
+}
+
+TEST(ShadowFitTest, TakesInfiniteAndOrthographicCameras) {
+  const Bounds box{glm::vec3(-1.0f), glm::vec3(1.0f)};
+  Camera camera = lookAt("", {0.0f, 0.0f, 5.0f}, {0.0f, 0.0f, 0.0f}, 60.0f);
+  camera.farPlane = 0.0f;
+  const auto infinite = fitTo(camera, box);
+  ASSERT_TRUE(infinite.has_value());
+  EXPECT_LT(infinite->extent, 6.0);
+  camera.farPlane = 20.0f;
+  camera.orthographicHeight = 0.1f;
+  const auto slim = fitTo(camera, box);
+  ASSERT_TRUE(slim.has_value());
+  EXPECT_LT(slim->extent, infinite->extent);
+}
+
+}  // namespace
+}  // namespace host::test
