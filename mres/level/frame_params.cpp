@@ -56,6 +56,8 @@ double viewDepthAt(const glm::dvec4& linearise, double windowDepth) {
 bool isReversed(const glm::dvec4& linearise) {
   const double atZero = viewDepthAt(linearise, 0.0);
   const double atOne = viewDepthAt(linearise, 1.0);
+  const bool orthographic = linearise.w == 0.0;
+  if (orthographic) return atZero > atOne;  // the near plane may lie behind the eye
   // An infinite far plane shows as infinity of either sign, or as an enormous negative number by rounding.
   const auto distance = [](double depth) { return std::isfinite(depth) && depth >= 0.0 ? depth : INFINITY; };
   return distance(atZero) > distance(atOne);
