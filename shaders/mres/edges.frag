@@ -3,24 +3,24 @@
 // plane (second derivative), both over the 2x2 pixels of this texel and their neighbours.
 //
 // The second derivative is taken of window depth, which is affine in screen space on every plane (perspective or
-// orthographic), so that a plane seen at any angle is exactly zero. Multiplied by the slope of view depth over
-// window depth it becomes metres; the smallest slope around is the one of the surface in front.
+// orthographic), so that a plane seen at any angle is exactly zero. It becomes metres by the difference of view
+// depth between two window depths, |t1 - t0| depthSlope.x / (slopeRoot(t0) slopeRoot(t1)), taken between the nearest
+// and the farthest surface around.
 #include "mres/frame.glsl"
 #include "mres/edges_params.h"
 
 out vec2 fragment;
 
 float depthAt(ivec2 pixel) {
-    return texelFetch(depthTexture, clamp(pixel, ivec2(0), size - 1), 0).r;
+    return texelFetch(depthTexture, pixel, 0).r;
 }
 
 vec3 normalAt(ivec2 pixel) {
     return texelFetch(normalTexture, min(pixel, size - 1), 0).xyz * normalDecode.x + normalDecode.y;
 }
 
-float metresPerWindowDepth(float windowDepth) {
-    float denominator = depthSlope.y + depthSlope.z * windowDepth;
-    return depthSlope.x / (denominator * denominator);
+float slopeRoot(float windowDepth) {
+    return abs(depthSlope.y + depthSlope.z * windowDepth);
 }
 
 float secondDifference(float before, float here, float after) {
@@ -38,7 +38,9 @@ bool isNormalEdge(vec3 a, vec3 b) {
     return lengths > 0.25 && dot(a, b) < normalCosine * sqrt(lengths);
 }
 
-bool hasDepthEdge(ivec2 corner) {
+// Pixels at the border lack a neighbour, and so a second derivative: there the 4x4 pixels are moved inside.
+bool hasDepthEdge(ivec2 texelCorner) {
+    ivec2 corner = clamp(texelCorner, ivec2(1), size - 3);
     float d00 = depthAt(corner), d10 = depthAt(corner + ivec2(1, 0));
     float d01 = depthAt(corner + ivec2(0, 1)), d11 = depthAt(corner + ivec2(1, 1));
     vec4 alongX = vec4(depthAt(corner + ivec2(-1, 0)), depthAt(corner + ivec2(2, 0)),
@@ -52,8 +54,9 @@ bool hasDepthEdge(ivec2 corner) {
     vec4 high = max(inside, max(alongX, alongY));
     float lowest = min(min(low.x, low.y), min(low.z, low.w));
     float highest = max(max(high.x, high.y), max(high.z, high.w));
-    float metres = largest * min(metresPerWindowDepth(lowest), metresPerWindowDepth(highest));
-    return largest > depthRounding.x + depthRounding.y * highest && metres > depthThreshold;
+    float slopeRoots = slopeRoot(lowest) * slopeRoot(highest);  // 0 where one is infinitely far
+    return largest > depthRounding.x + depthRounding.y * highest &&
+           largest * depthSlope.x > depthThreshold * slopeRoots;
 }
 
 bool hasNormalEdge(ivec2 corner) {
