@@ -1,5 +1,6 @@
 #include "mres/mask/mask_pass.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mres {
@@ -34,16 +35,16 @@ params::MaskBlurParams gaussian(float variance) {
   return params;
 }
 
-bool contains(const params::MaskBlurParams& coarser, const params::MaskBlurParams& finer, int ratio) {
-  // Around a lone edge texel the blurred mask is the product of two weights: its support is the square up to
-  // the distance whose weight squared still rounds to more than zero.
+int solidRadius(const params::MaskBlurParams& kernel) {
+  // Around a lone edge texel the blurred mask is the product of two weights, the first of them rounded to
+  // eight bits: its support is the square up to the distance where that still rounds to more than zero.
   int solid = 0;
-  while (solid < coarser.radius) {
-    const float next = coarser.weights[(solid + 1) / 4][(solid + 1) % 4];
-    if (static_cast<double>(next) * static_cast<double>(next) < kSmallestWeight) break;
+  while (solid < kernel.radius) {
+    const auto next = static_cast<double>(kernel.weights[(solid + 1) / 4][(solid + 1) % 4]);
+    if ((next - kSmallestWeight) * next < kSmallestWeight) break;
     ++solid;
   }
-  return solid * ratio >= finer.radius;
+  return solid;
 }
 
 MaskPass::MaskPass(const gl::ShaderLibrary& library)
@@ -96,7 +97,10 @@ void MaskPass::blur(PassContext& context, const gl::Texture2D& source, Level& le
   level.kernel.axis = {0, 1};
   params_.upload(level.kernel);
   gl::bindTexture(kSourceUnit, level.blurredAlongX.color().id(), context.nearest);
-  if (finer != nullptr && !contains(level.kernel, finer->kernel, level.kernel.finerRatio)) {
+  level.reach = level.kernel.radius;
+  if (finer != nullptr && solidRadius(level.kernel) * level.kernel.finerRatio < finer->reach) {
+    const int ratio = level.kernel.finerRatio;
+    level.reach = std::max(level.reach, (finer->reach + ratio - 1) / ratio);
     gl::bindTexture(kMaskUnit, finer->mask.color().id(), context.nearest);
     glUseProgram(blurJoinProgram_.id());
   }

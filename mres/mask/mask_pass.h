@@ -14,9 +14,8 @@ namespace mres {
 /// out.
 params::MaskBlurParams gaussian(float variance);
 
-/// Whether a mask blurred by `coarser` is above zero wherever one blurred by `finer`, of `ratio` times the
-/// resolution and from the same edges, is.
-bool contains(const params::MaskBlurParams& coarser, const params::MaskBlurParams& finer, int ratio);
+/// Distance in texels from an edge up to which the mask that a Gaussian makes of it is surely above zero.
+int solidRadius(const params::MaskBlurParams& kernel);
 
 /// Turns the edge image into one mask per level: down-sampled, then blurred by the level's variance. The mask
 /// of level i has the resolution of level i + 1 (a texel is a 2x2 quad of the level's pixels), is GL_R8, and
@@ -38,6 +37,7 @@ class MaskPass {
     gl::RenderTarget blurredAlongX;
     gl::RenderTarget mask;
     params::MaskBlurParams kernel;
+    int reach = 0;  // texels from an edge up to which the mask may be above zero
   };
   static std::size_t slot(int level) { return static_cast<std::size_t>(level); }
   const gl::Texture2D& edgesOf(PassContext& context, int level, const gl::Texture2D& finerEdges,
