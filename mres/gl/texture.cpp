@@ -51,6 +51,9 @@ Texture2D::Texture2D(GLenum internalFormat, glm::ivec2 size, const char* label, 
   GLint bound = 0;
   glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
   glBindTexture(GL_TEXTURE_2D, name_.id());
+  GLint alignment = 0;
+  glGetIntegerv(GL_UNPACK_ALIGNMENT, &alignment);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   for (int level = 0; level < levels; ++level) {
     const glm::ivec2 levelSize = glm::max(size >> level, glm::ivec2(1));
     glTexImage2D(GL_TEXTURE_2D, level, static_cast<GLint>(internalFormat), levelSize.x, levelSize.y, 0,
@@ -59,6 +62,7 @@ Texture2D::Texture2D(GLenum internalFormat, glm::ivec2 size, const char* label, 
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 0);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, levels - 1);
   setLabel(GL_TEXTURE, name_.id(), label);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, alignment);
   glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(bound));
 }
 

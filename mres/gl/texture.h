@@ -23,8 +23,8 @@ class Texture2D {
   Texture2D() = default;
 
   /// Allocates `levels` mip levels, each floor(size / 2^level) but at least 1. `pixels` may fill level 0, in
-  /// the layout of formatInfo(internalFormat). Leaves the bindings as they are, so that a
-  /// target made in the middle of a frame does not take a texture away from a pass.
+  /// the layout of formatInfo(internalFormat), rows without padding. Leaves the bindings as they are, so that
+  /// a target made in the middle of a frame does not take a texture away from a pass.
   Texture2D(GLenum internalFormat, glm::ivec2 size, const char* label, int levels = 1,
             const void* pixels = nullptr);
 
