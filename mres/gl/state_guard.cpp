@@ -1,17 +1,41 @@
 #include "mres/gl/state_guard.h"
 
+#include <algorithm>
+
 namespace mres::gl {
 namespace {
 
-// Whatever of these a host has enabled would change our draws. Blending is per draw buffer and handled apart.
-constexpr std::array<GLenum, 16> kGuardedCapabilities = {GL_CULL_FACE,         GL_DEPTH_TEST,
-                                                         GL_SCISSOR_TEST,      GL_STENCIL_TEST,
-                                                         GL_DEPTH_CLAMP,       GL_DITHER,
-                                                         GL_MULTISAMPLE,       GL_SAMPLE_ALPHA_TO_COVERAGE,
-                                                         GL_SAMPLE_COVERAGE,   GL_RASTERIZER_DISCARD,
-                                                         GL_COLOR_LOGIC_OP,    GL_FRAMEBUFFER_SRGB,
-                                                         GL_SAMPLE_MASK,       GL_POLYGON_OFFSET_FILL,
-                                                         GL_PRIMITIVE_RESTART, GL_SAMPLE_ALPHA_TO_ONE};
+// Whatever of these a host has enabled would change our draws. Blending (per draw buffer) and the scissor
+// (per viewport) are handled apart; blend functions matter to neither us nor, since we leave them alone, the
+// host.
+constexpr std::array<GLenum, 24> kGuardedCapabilities = {GL_CULL_FACE,
+                                                         GL_DEPTH_TEST,
+                                                         GL_STENCIL_TEST,
+                                                         GL_DEPTH_CLAMP,
+                                                         GL_DITHER,
+                                                         GL_MULTISAMPLE,
+                                                         GL_SAMPLE_COVERAGE,
+                                                         GL_SAMPLE_ALPHA_TO_COVERAGE,
+                                                         GL_RASTERIZER_DISCARD,
+                                                         GL_COLOR_LOGIC_OP,
+                                                         GL_FRAMEBUFFER_SRGB,
+                                                         GL_SAMPLE_ALPHA_TO_ONE,
+                                                         GL_SAMPLE_MASK,
+                                                         GL_POLYGON_SMOOTH,
+                                                         GL_POLYGON_OFFSET_FILL,
+                                                         GL_PRIMITIVE_RESTART,
+                                                         GL_CLIP_DISTANCE0,
+                                                         GL_CLIP_DISTANCE1,
+                                                         GL_CLIP_DISTANCE2,
+                                                         GL_CLIP_DISTANCE3,
+                                                         GL_CLIP_DISTANCE4,
+                                                         GL_CLIP_DISTANCE5,
+                                                         GL_CLIP_DISTANCE6,
+                                                         GL_CLIP_DISTANCE7};
+
+bool hasViewportArrays() {
+  return epoxy_gl_version() >= 41 || epoxy_has_gl_extension("GL_ARB_viewport_array");
+}
 
 GLint integer(GLenum name) {
   GLint value = 0;
@@ -71,8 +95,6 @@ void StateGuard::saveRasterState() {
     glGetBooleani_v(GL_COLOR_WRITEMASK, buffer, colorMasks_.at(buffer).data());
     blendEnabled_.at(buffer) = glIsEnabledi(GL_BLEND, buffer);
   }
-  blend_ = {integer(GL_BLEND_SRC_RGB),   integer(GL_BLEND_DST_RGB),      integer(GL_BLEND_SRC_ALPHA),
-            integer(GL_BLEND_DST_ALPHA), integer(GL_BLEND_EQUATION_RGB), integer(GL_BLEND_EQUATION_ALPHA)};
   stencil_[0] = {integer(GL_STENCIL_FUNC),           integer(GL_STENCIL_REF),
                  integer(GL_STENCIL_VALUE_MASK),     integer(GL_STENCIL_WRITEMASK),
                  integer(GL_STENCIL_FAIL),           integer(GL_STENCIL_PASS_DEPTH_FAIL),
@@ -81,13 +103,28 @@ void StateGuard::saveRasterState() {
                  integer(GL_STENCIL_BACK_VALUE_MASK),     integer(GL_STENCIL_BACK_WRITEMASK),
                  integer(GL_STENCIL_BACK_FAIL),           integer(GL_STENCIL_BACK_PASS_DEPTH_FAIL),
                  integer(GL_STENCIL_BACK_PASS_DEPTH_PASS)};
-  glGetIntegerv(GL_VIEWPORT, &viewport_.x);
+  saveViewports();
   glGetBooleanv(GL_DEPTH_WRITEMASK, &depthMask_);
   glGetIntegerv(GL_POLYGON_MODE, polygonMode_.data());
 }
 
+// glViewport() and glDisable(GL_SCISSOR_TEST) change all viewports of OpenGL 4.1.
+void StateGuard::saveViewports() {
+  if (!hasViewportArrays()) {
+    glGetFloatv(GL_VIEWPORT, &viewports_[0].rectangle.x);
+    viewports_[0].scissored = glIsEnabled(GL_SCISSOR_TEST);
+    return;
+  }
+  viewportCount_ = std::min(static_cast<GLuint>(integer(GL_MAX_VIEWPORTS)), kMaxViewports);
+  for (GLuint i = 0; i < viewportCount_; ++i) {
+    glGetFloati_v(GL_VIEWPORT, i, &viewports_.at(i).rectangle.x);
+    viewports_.at(i).scissored = glIsEnabledi(GL_SCISSOR_TEST, i);
+  }
+}
+
 void StateGuard::setDefaults() const {
   for (const GLenum capability : kGuardedCapabilities) glDisable(capability);
+  glDisable(GL_SCISSOR_TEST);
   for (GLuint buffer = 0; buffer < kDrawBuffers; ++buffer) {
     glColorMaski(buffer, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDisablei(GL_BLEND, buffer);
@@ -112,9 +149,6 @@ void StateGuard::restoreRasterState() const {
       glDisablei(GL_BLEND, buffer);
     }
   }
-  glBlendFuncSeparate(static_cast<GLenum>(blend_.sourceRgb), static_cast<GLenum>(blend_.destinationRgb),
-                      static_cast<GLenum>(blend_.sourceAlpha), static_cast<GLenum>(blend_.destinationAlpha));
-  glBlendEquationSeparate(static_cast<GLenum>(blend_.equationRgb), static_cast<GLenum>(blend_.equationAlpha));
   constexpr std::array<GLenum, 2> kFaces = {GL_FRONT, GL_BACK};
   for (std::size_t i = 0; i < kFaces.size(); ++i) {
     const StencilFace& face = stencil_.at(i);
@@ -124,15 +158,31 @@ void StateGuard::restoreRasterState() const {
     glStencilOpSeparate(kFaces.at(i), static_cast<GLenum>(face.fail), static_cast<GLenum>(face.depthFail),
                         static_cast<GLenum>(face.depthPass));
   }
-  glViewport(viewport_.x, viewport_.y, viewport_.z, viewport_.w);
+  restoreViewports();
   glDepthMask(depthMask_);
   glPolygonMode(GL_FRONT_AND_BACK, static_cast<GLenum>(polygonMode_[0]));
 }
 
+void StateGuard::restoreViewports() const {
+  if (!hasViewportArrays()) {
+    const glm::ivec4 rectangle(viewports_[0].rectangle);
+    glViewport(rectangle.x, rectangle.y, rectangle.z, rectangle.w);
+    setEnabled(GL_SCISSOR_TEST, viewports_[0].scissored);
+    return;
+  }
+  for (GLuint i = 0; i < viewportCount_; ++i) {
+    glViewportIndexedfv(i, &viewports_.at(i).rectangle.x);
+    (viewports_.at(i).scissored == GL_TRUE ? glEnablei : glDisablei)(GL_SCISSOR_TEST, i);
+  }
+}
+
+// A texture of ours that the host had bound (a result), or a program that the host has deleted while it was
+// current, may be gone by now.
 void StateGuard::restoreBindings() const {
   for (GLuint unit = 0; unit < kTextureUnits; ++unit) {
     glActiveTexture(GL_TEXTURE0 + unit);
-    glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(textureUnits_.at(unit).texture));
+    const auto texture = static_cast<GLuint>(textureUnits_.at(unit).texture);
+    glBindTexture(GL_TEXTURE_2D, glIsTexture(texture) == GL_TRUE ? texture : 0);
     glBindSampler(unit, static_cast<GLuint>(textureUnits_.at(unit).sampler));
   }
   glActiveTexture(static_cast<GLenum>(activeTexture_));
@@ -152,7 +202,8 @@ void StateGuard::restoreBindings() const {
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(drawFramebuffer_));
   glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(readFramebuffer_));
   glBindVertexArray(static_cast<GLuint>(vertexArray_));
-  glUseProgram(static_cast<GLuint>(program_));
+  const auto program = static_cast<GLuint>(program_);
+  glUseProgram(glIsProgram(program) == GL_TRUE ? program : 0);
 }
 
 }  // namespace mres::gl

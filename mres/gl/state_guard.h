@@ -32,17 +32,21 @@ class StateGuard {
     GLint buffer;
     GLint64 start, size;
   };
-  struct BlendState {
-    GLint sourceRgb, destinationRgb, sourceAlpha, destinationAlpha, equationRgb, equationAlpha;
+  struct Viewport {
+    glm::vec4 rectangle;
+    GLboolean scissored;
   };
   static constexpr GLuint kDrawBuffers = 4;
-  static constexpr std::size_t kCapabilities = 16;
+  static constexpr GLuint kMaxViewports = 16;
+  static constexpr std::size_t kCapabilities = 24;
 
   void saveBindings();
   void saveRasterState();
+  void saveViewports();
   void setDefaults() const;
   void restoreBindings() const;
   void restoreRasterState() const;
+  void restoreViewports() const;
 
   GLint program_ = 0, vertexArray_ = 0, drawFramebuffer_ = 0, readFramebuffer_ = 0, renderbuffer_ = 0;
   GLint activeTexture_ = 0, uniformBuffer_ = 0, pixelUnpackBuffer_ = 0, pixelPackBuffer_ = 0;
@@ -51,9 +55,9 @@ class StateGuard {
   std::array<GLboolean, kCapabilities> capabilities_{};
   std::array<std::array<GLboolean, 4>, kDrawBuffers> colorMasks_{};
   std::array<GLboolean, kDrawBuffers> blendEnabled_{};
-  BlendState blend_{};
   std::array<StencilFace, 2> stencil_{};
-  glm::ivec4 viewport_{0};
+  std::array<Viewport, kMaxViewports> viewports_{};
+  GLuint viewportCount_ = 1;
   GLboolean depthMask_ = GL_TRUE;
   std::array<GLint, 2> polygonMode_{};
 };

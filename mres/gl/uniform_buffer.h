@@ -10,9 +10,13 @@ class UniformBuffer {
   static_assert(sizeof(Params) % 16 == 0, "std140 blocks are multiples of 16 bytes");
 
  public:
+  /// Leaves the binding as it is: effects make theirs in the host's code, outside of any guard.
   UniformBuffer() : name_(BufferName::create()) {
+    GLint bound = 0;
+    glGetIntegerv(GL_UNIFORM_BUFFER_BINDING, &bound);
     glBindBuffer(GL_UNIFORM_BUFFER, name_.id());
     glBufferData(GL_UNIFORM_BUFFER, sizeof(Params), nullptr, GL_DYNAMIC_DRAW);
+    glBindBuffer(GL_UNIFORM_BUFFER, static_cast<GLuint>(bound));
   }
 
   void upload(const Params& params) {
