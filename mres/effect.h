@@ -16,7 +16,7 @@ inline constexpr int kMaxLevels = 4;
 
 /// How one resolution level takes part (Table 1 of Besenthal, Maisch and Ropinski 2019).
 struct LevelSettings {
-  bool used = true;           ///< The coarsest used level renders the whole screen.
+  bool used = true;           ///< The coarsest used level renders the whole screen. Level 0 always is.
   float maskVariance = 0.0f;  ///< sigma^2 in pixels^2 of this level, [0, 64]. Widens the zone around edges.
   float blendWeight = 1.0f;   ///< w_i of equation 1, [1, 1000]. Larger is a harder transition.
 };

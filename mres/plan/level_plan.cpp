@@ -26,7 +26,7 @@ LevelPlan planLevels(Technique technique, const LevelTable& table, glm::ivec2 fu
     const char* reason = nullptr;
     if (technique == Technique::full) {
       reason = index == 0 ? nullptr : "the full technique renders level 0 alone";
-    } else if (!table.at(slot).used) {
+    } else if (index > 0 && !table.at(slot).used) {
       reason = "not used by this effect";
     } else if (index > 0 && std::min(size.x, size.y) < kSmallestLevel) {
       reason = "too small to pay for its passes";

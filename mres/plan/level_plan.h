@@ -25,8 +25,9 @@ struct LevelPlan {
 /// ceil(size / 2^level).
 glm::ivec2 levelSize(glm::ivec2 fullSize, int level);
 
-/// Chooses the levels: those that the effect uses and that are large enough to be worth a pass.
-/// Technique::full, or a screen too small for a second level, gives level 0 alone.
+/// Chooses the levels: level 0, which the result has the size of, and the coarser ones that the effect uses
+/// and that are large enough to be worth a pass. Technique::full, or a screen too small for a second level,
+/// gives level 0 alone.
 LevelPlan planLevels(Technique technique, const LevelTable& table, glm::ivec2 fullSize);
 
 }  // namespace mres
