@@ -212,12 +212,12 @@ void addLight(Scene& scene) {
   sun.name = "sun";
   sun.direction = glm::normalize(glm::vec3(0.36f, -0.43f, 0.75f));
   sun.color = {1.0f, 0.9f, 0.76f};
-  sun.intensity = 9.0f;
+  sun.intensity = 4.5f;
   scene.lights.push_back(sun);
   scene.sky.ground = {0.2f, 0.27f, 0.13f};  // lawn
   scene.sky.zenith = {0.3f, 0.5f, 0.88f};
   scene.sky.horizon = {0.8f, 0.87f, 0.93f};
-  scene.ambient = {0.3f, 0.305f, 0.315f};
+  scene.ambient = glm::vec3(0.36f);
 }
 
 void addCameras(Scene& scene) {

@@ -98,7 +98,7 @@ Piece storageBox(Finish cover) {
   constexpr glm::vec3 kSize{0.26f, 0.21f, 0.27f};
   constexpr float kLid = 0.05f;
   addBox(piece.part(cover), {0.003f, 0.0f, -kSize.z + 0.003f}, {kSize.x - 0.003f, kSize.y - kLid, -0.003f});
-  addBox(piece.part(cover), {0.0f, kSize.y - kLid, -kSize.z}, {kSize.x, kSize.y, 0.0f}, 0.003f);
+  addBox(piece.part(cover), {0.0f, kSize.y - kLid, -kSize.z}, {kSize.x, kSize.y, 0.0f});
   addBox(piece.part(Finish::pages), {0.09f, 0.06f, -0.004f}, {0.17f, 0.11f, -0.002f});
   return piece;
 }

@@ -69,13 +69,13 @@ void addRoomRecipes(Recipes& r) {
   using textures::plaster;
   using textures::wood;
   r[Finish::wallPaint] =
-      patterned("wall paint", plaster({0.88f, 0.87f, 0.83f}, 0.04f, 1), glm::vec2(1.6f), 0.9f, 0.4f);
+      patterned("wall paint", plaster({0.93f, 0.92f, 0.89f}, 0.04f, 1), glm::vec2(1.6f), 0.9f, 0.4f);
   r[Finish::wallAccent] =
-      patterned("sage wall", plaster({0.63f, 0.69f, 0.6f}, 0.05f, 2), glm::vec2(1.6f), 0.9f, 0.4f);
+      patterned("sage wall", plaster({0.74f, 0.78f, 0.7f}, 0.05f, 2), glm::vec2(1.6f), 0.9f, 0.4f);
   r[Finish::ceilingPaint] = plain("ceiling paint", glm::vec3(0.93f), 0.95f);
   r[Finish::trimPaint] = plain("trim paint", {0.93f, 0.92f, 0.89f}, 0.45f);
   r[Finish::ceilingTile] = patterned("ceiling tile", acousticTile(), glm::vec2(0.6f), 0.95f, 0.6f);
-  r[Finish::carpet] = patterned("carpet", mottled({0.3f, 0.33f, 0.37f}, {0.42f, 0.45f, 0.48f}, 64, 0.02f, 3),
+  r[Finish::carpet] = patterned("carpet", mottled({0.47f, 0.485f, 0.5f}, {0.58f, 0.59f, 0.6f}, 64, 0.02f, 3),
                                 glm::vec2(0.8f), 1.0f, 0.7f);
   r[Finish::parquetLight] =
       patterned("light oak block", wood({0.76f, 0.59f, 0.41f}, {0.66f, 0.48f, 0.31f}, 1, 4),
@@ -92,15 +92,15 @@ void addRoomRecipes(Recipes& r) {
 void addWoodAndMetalRecipes(Recipes& r) {
   using textures::wood;
   r[Finish::oak] =
-      patterned("oak", wood({0.74f, 0.56f, 0.37f}, {0.6f, 0.42f, 0.26f}, 1, 7), {0.9f, 0.3f}, 0.5f, 0.3f);
-  r[Finish::walnut] = patterned("walnut", wood({0.47f, 0.32f, 0.22f}, {0.33f, 0.21f, 0.14f}, 1, 8),
+      patterned("oak", wood({0.78f, 0.64f, 0.48f}, {0.67f, 0.52f, 0.37f}, 1, 7), {0.9f, 0.3f}, 0.5f, 0.3f);
+  r[Finish::walnut] = patterned("walnut", wood({0.56f, 0.42f, 0.32f}, {0.43f, 0.31f, 0.23f}, 1, 8),
                                 {0.9f, 0.3f}, 0.42f, 0.3f);
   r[Finish::beech] =
       patterned("beech", wood({0.84f, 0.7f, 0.53f}, {0.77f, 0.61f, 0.44f}, 1, 9), {1.2f, 0.4f}, 0.45f);
   r[Finish::whiteLacquer] = plain("white lacquer", glm::vec3(0.88f), 0.35f);
   r[Finish::chrome] = metal("chrome", glm::vec3(0.82f), 0.15f);
   r[Finish::silver] = metal("silver", {0.93f, 0.91f, 0.87f}, 0.22f);
-  r[Finish::brass] = metal("brass", {0.85f, 0.69f, 0.42f}, 0.32f);
+  r[Finish::brass] = metal("brass", {0.86f, 0.76f, 0.56f}, 0.32f);
   r[Finish::paintedSteel] = plain("painted steel", {0.86f, 0.87f, 0.87f}, 0.4f);
   r[Finish::darkSteel] = plain("dark steel", {0.25f, 0.26f, 0.28f}, 0.45f);
   r[Finish::blackPlastic] = plain("black plastic", glm::vec3(0.13f), 0.5f);
@@ -115,31 +115,31 @@ void addWoodAndMetalRecipes(Recipes& r) {
 void addCeramicAndClothRecipes(Recipes& r) {
   using textures::fabric;
   r[Finish::porcelain] = plain("porcelain", {0.93f, 0.92f, 0.89f}, 0.15f);
-  r[Finish::blueGlaze] = plain("blue glaze", {0.2f, 0.32f, 0.45f}, 0.18f);
-  r[Finish::sageGlaze] = plain("sage glaze", {0.6f, 0.68f, 0.57f}, 0.22f);
+  r[Finish::blueGlaze] = plain("blue glaze", {0.34f, 0.45f, 0.56f}, 0.18f);
+  r[Finish::sageGlaze] = plain("sage glaze", {0.68f, 0.74f, 0.65f}, 0.22f);
   r[Finish::terracotta] =
       patterned("terracotta", mottled({0.72f, 0.42f, 0.28f}, {0.78f, 0.49f, 0.35f}, 16, 0.01f, 10),
                 glm::vec2(0.4f), 0.85f);
   r[Finish::linen] = patterned("linen", fabric({0.9f, 0.88f, 0.82f}, {0.86f, 0.83f, 0.76f}, 64, 11),
                                glm::vec2(0.12f), 0.95f, 0.5f);
   r[Finish::curtain] =
-      bothSides(patterned("curtain cloth", fabric({0.84f, 0.8f, 0.7f}, {0.8f, 0.75f, 0.65f}, 48, 12),
+      bothSides(patterned("curtain cloth", fabric({0.9f, 0.87f, 0.79f}, {0.86f, 0.82f, 0.74f}, 48, 12),
                           glm::vec2(0.16f), 0.95f, 0.4f));
   r[Finish::chairFabric] =
-      patterned("chair fabric", fabric({0.2f, 0.27f, 0.36f}, {0.15f, 0.2f, 0.28f}, 48, 13), glm::vec2(0.12f),
-                0.95f, 0.7f);
+      patterned("chair fabric", fabric({0.34f, 0.38f, 0.43f}, {0.28f, 0.32f, 0.37f}, 48, 13),
+                glm::vec2(0.12f), 0.95f, 0.7f);
   r[Finish::cushionFabric] =
-      patterned("cushion fabric", fabric({0.33f, 0.45f, 0.5f}, {0.27f, 0.38f, 0.44f}, 48, 14),
+      patterned("cushion fabric", fabric({0.52f, 0.6f, 0.62f}, {0.45f, 0.53f, 0.56f}, 48, 14),
                 glm::vec2(0.12f), 0.95f, 0.6f);
   r[Finish::napkin] =
-      bothSides(patterned("napkin cloth", fabric({0.75f, 0.4f, 0.32f}, {0.8f, 0.48f, 0.4f}, 48, 15),
+      bothSides(patterned("napkin cloth", fabric({0.8f, 0.54f, 0.46f}, {0.84f, 0.61f, 0.53f}, 48, 15),
                           glm::vec2(0.08f), 0.95f, 0.4f));
   r[Finish::runner] =
       bothSides(patterned("runner cloth", fabric({0.87f, 0.84f, 0.76f}, {0.82f, 0.79f, 0.72f}, 48, 26),
                           glm::vec2(0.14f), 0.95f, 0.5f));
-  r[Finish::rug] = patterned("rug field", rugField({0.58f, 0.2f, 0.17f}), {0.5f, 0.5f}, 1.0f, 0.6f);
+  r[Finish::rug] = patterned("rug field", rugField({0.64f, 0.34f, 0.29f}), {0.5f, 0.5f}, 1.0f, 0.6f);
   r[Finish::rugBorder] =
-      patterned("rug border", mottled({0.13f, 0.18f, 0.3f}, {0.18f, 0.24f, 0.38f}, 64, 0.004f, 16),
+      patterned("rug border", mottled({0.27f, 0.32f, 0.41f}, {0.33f, 0.38f, 0.47f}, 64, 0.004f, 16),
                 glm::vec2(0.3f), 1.0f, 0.5f);
   r[Finish::fringe] = plain("cotton cord", {0.88f, 0.84f, 0.75f}, 0.95f);
   r[Finish::lampShade] =
@@ -174,7 +174,7 @@ void addLivingRecipes(Recipes& r) {
     return patterned(name, mottled(a, b, 16, 0.01f, seed), glm::vec2(metres), roughness, relief);
   };
   r[Finish::leaf] =
-      bothSides(spotted("leaf", {0.17f, 0.33f, 0.13f}, {0.25f, 0.43f, 0.18f}, 0.2f, 0.45f, 0.0f, 30));
+      bothSides(spotted("leaf", {0.29f, 0.43f, 0.24f}, {0.38f, 0.53f, 0.31f}, 0.2f, 0.45f, 0.0f, 30));
   r[Finish::paleLeaf] =
       bothSides(spotted("pale leaf", {0.36f, 0.5f, 0.27f}, {0.5f, 0.62f, 0.36f}, 0.12f, 0.55f, 0.0f, 31));
   r[Finish::stem] = plain("stem", {0.34f, 0.42f, 0.2f}, 0.6f);

@@ -92,7 +92,7 @@ Piece pinBoard(glm::vec2 size, std::uint32_t seed) {
 
   Random random(seed);
   const std::array<Finish, 4> notes{Finish::paper, Finish::coverOchre, Finish::paper, Finish::coverCream};
-  constexpr int kColumns = 5;
+  constexpr int kColumns = 4;
   constexpr int kRows = 2;
   for (int i = 0; i < kColumns * kRows; ++i) {
     const glm::vec2 cell((static_cast<float>(i % kColumns) + 0.5f) / kColumns - 0.5f,
@@ -120,10 +120,10 @@ Piece wallClock() {
                                      {kRadius, 0.03f},          {kRadius - 0.008f, 0.035f},
                                      {kRadius - 0.014f, 0.03f}, {kRadius - 0.014f, 0.02f}};
   Mesh& steel = piece.part(Finish::darkSteel);
-  modelling::addLathe(steel, glm::vec3(0.0f), rim, 20);
+  modelling::addLathe(steel, glm::vec3(0.0f), rim, 18);
   Mesh& face = piece.part(Finish::whiteLacquer);
   const std::array<glm::vec2, 2> dial{glm::vec2(kRadius - 0.013f, 0.021f), {0.0f, 0.021f}};
-  modelling::addLathe(face, glm::vec3(0.0f), dial, 20);
+  modelling::addLathe(face, glm::vec3(0.0f), dial, 18);
   aimFrom(steel, 0, {0, 0, 1}, glm::vec3(0.0f));
   aimFrom(face, 0, {0, 0, 1}, glm::vec3(0.0f));
   const auto hand = [&](float degrees, glm::vec2 low, glm::vec2 high, float z) {
@@ -131,8 +131,8 @@ Piece wallClock() {
     addBox(steel, {low.x, low.y, z}, {high.x, high.y, z + 0.002f});
     modelling::transformFrom(steel, first, turned(degrees, {0, 0, 1}));
   };
-  for (int hour = 0; hour < 12; ++hour) {
-    const float width = hour % 3 == 0 ? 0.004f : 0.002f;
+  for (int hour = 0; hour < 12; hour += 3) {
+    constexpr float width = 0.004f;
     hand(30.0f * static_cast<float>(hour), {-width, 0.108f}, {width, 0.126f}, 0.0205f);
   }
   hand(-305.0f, {-0.005f, -0.02f}, {0.005f, 0.075f}, 0.0235f);  // ten past ten

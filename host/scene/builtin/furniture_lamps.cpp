@@ -49,7 +49,7 @@ Piece deskLamp() {
                               {0.02f, 0.021f},
                               {0.012f, 0.03f},
                               {0.0f, 0.03f}},
-                      12);
+                      11);
   const glm::vec3 foot(0.0f, 0.026f, 0.0f);
   const glm::vec3 elbow(0.0f, 0.33f, -0.12f);
   const glm::vec3 head(0.0f, 0.5f, 0.13f);
@@ -70,13 +70,13 @@ Piece deskLamp() {
                               {0.022f, -0.004f},
                               {0.02f, 0.02f},
                               {0.0f, 0.024f}},
-                      12);
+                      11);
   modelling::transformFrom(steel, first, aim);
   Mesh& glow = lamp.part(Finish::lampGlow);
   first = glow.vertices.size();
   modelling::addLathe(glow, glm::vec3(0.0f),
                       Profile{{0.0f, -0.012f}, {0.038f, -0.02f}, {0.06f, -0.06f}, {0.066f, -0.105f}}, 12);
-  addBulb(glow, {0.0f, -0.012f, 0.0f}, 6);
+  modelling::addEllipsoid(glow, {0.0f, -0.06f, 0.0f}, {0.027f, 0.034f, 0.027f}, {6, 5});
   modelling::transformFrom(glow, first, aim);
   return lamp;
 }
@@ -90,7 +90,7 @@ Piece linearLuminaire(float length, float drop) {
                     {half - 0.02f, -drop + 0.001f, 0.04f});
   for (const float x : {-half + 0.2f, half - 0.2f}) {
     addRod(lamp.part(Finish::chrome), {x, -drop + 0.05f, 0.0f}, {x, 0.0f, 0.0f}, 0.0016f, 3);
-    addRod(body, {x, -0.022f, 0.0f}, {x, 0.002f, 0.0f}, 0.028f, 8);
+    addRod(body, {x, -0.022f, 0.0f}, {x, 0.002f, 0.0f}, 0.028f, 7);
   }
   return lamp;
 }

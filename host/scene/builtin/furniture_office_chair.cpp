@@ -52,7 +52,7 @@ void addSeat(Piece& chair) {
     p.y += 0.5f * p.x * p.x * (1.0f - v);  // dished underside and top
     return p + glm::vec3(0.0f, 0.482f, 0.02f);
   };
-  modelling::addPatch(chair.part(Finish::chairFabric), seat, {14, 6});
+  modelling::addPatch(chair.part(Finish::chairFabric), seat, {12, 6});
 }
 
 void addBackrest(Piece& chair) {
@@ -69,7 +69,7 @@ void addBackrest(Piece& chair) {
     p.z += 0.9f * p.x * p.x + 0.05f * std::cos(7.0f * (p.y + 0.1f)) - 0.17f * p.y;
     return p + glm::vec3(0.0f, 0.86f, -0.325f);
   };
-  modelling::addPatch(chair.part(Finish::chairFabric), back, {14, 7});
+  modelling::addPatch(chair.part(Finish::chairFabric), back, {12, 7});
 }
 
 void addArmrests(Piece& chair) {

@@ -52,13 +52,13 @@ Pattern rugField(glm::vec3 ground) {
     const float diamond = p.x + p.y;
     const float corner = 2.0f - diamond;
     glm::vec3 color = ground;
-    if (diamond < 0.9f) color = glm::vec3(0.16f, 0.22f, 0.36f);
+    if (diamond < 0.9f) color = glm::vec3(0.27f, 0.32f, 0.42f);
     if (diamond < 0.78f) color = glm::vec3(0.84f, 0.76f, 0.6f);
     if (diamond < 0.68f) color = ground * 0.8f;
     if (diamond < 0.42f) color = glm::vec3(0.84f, 0.76f, 0.6f);
-    if (diamond < 0.3f) color = glm::vec3(0.16f, 0.22f, 0.36f);
+    if (diamond < 0.3f) color = glm::vec3(0.27f, 0.32f, 0.42f);
     if (corner < 0.4f) color = glm::vec3(0.72f, 0.5f, 0.28f);
-    if (corner < 0.22f) color = glm::vec3(0.16f, 0.22f, 0.36f);
+    if (corner < 0.22f) color = glm::vec3(0.27f, 0.32f, 0.42f);
     const glm::ivec2 cell(uv * 192.0f);
     const float wool = 0.86f + 0.2f * cellNoise(cell, 21);
     return Surface{glm::min(color * wool, glm::vec3(1.0f)), 0.0012f * cellNoise(cell, 22)};

@@ -14,8 +14,8 @@ using modelling::addBox;
 constexpr float kFrame = 0.055f;    // width of the fixed frame
 constexpr float kCasement = 0.05f;  // width of a casement's frame
 constexpr float kBar = 0.024f;      // width of a glazing bar
-constexpr float kSlatPitch = 0.043f;
-constexpr float kSlatWidth = 0.05f;
+constexpr float kSlatPitch = 0.047f;
+constexpr float kSlatWidth = 0.055f;
 
 // A rectangle of four bars around `low`..`high`, between z = back and front; the upright bars run through.
 void addBars(Mesh& mesh, glm::vec2 low, glm::vec2 high, float width, glm::vec2 depth, float bevel) {
@@ -97,7 +97,7 @@ Piece venetianBlind(const BlindShape& shape) {
   const float width = shape.size.x;
   const float top = shape.size.y;
   Mesh& metal = blind.part(Finish::blindSlat);
-  addBox(metal, {-width * 0.5f, top - 0.035f, -0.024f}, {width * 0.5f, top, 0.024f}, 0.003f);
+  addBox(metal, {-width * 0.5f, top - 0.035f, -0.029f}, {width * 0.5f, top, 0.029f}, 0.003f);
 
   const int count = static_cast<int>((top - 0.08f) / kSlatPitch);
   const int hanging = static_cast<int>(static_cast<float>(count) * shape.drop);
@@ -108,11 +108,11 @@ Piece venetianBlind(const BlindShape& shape) {
     y -= i + 1 < hanging ? kSlatPitch : kStackPitch;
   }
   const float railTop = y - 0.006f;
-  addBox(metal, {-width * 0.5f, railTop - 0.016f, -0.021f}, {width * 0.5f, railTop, 0.021f}, 0.003f);
+  addBox(metal, {-width * 0.5f, railTop - 0.016f, -0.029f}, {width * 0.5f, railTop, 0.029f}, 0.003f);
 
   Mesh& cords = blind.part(Finish::fringe);
   for (const float x : {-0.36f * width, 0.0f, 0.36f * width}) {
-    for (const float z : {-0.0225f, 0.0225f})
+    for (const float z : {-0.0285f, 0.0285f})
       addRod(cords, {x, railTop - 0.002f, z}, {x, top - 0.03f, z}, 0.0009f, 3);
   }
   addRod(cords, {width * 0.44f, top - 0.75f, 0.034f}, {width * 0.44f, top - 0.03f, 0.02f}, 0.004f, 5);

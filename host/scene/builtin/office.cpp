@@ -130,12 +130,12 @@ void addPlantsAndBin(Interior& room) {
   PlantShape plant;
   plant.height = 1.5f;
   plant.stems = 5;
-  plant.leavesPerStem = 8;
+  plant.leavesPerStem = 7;
   plant.leafLength = 0.24f;
   plant.leafWidth = 0.11f;
   plant.leafSegments = {2, 3};
   plant.stemSegments = {4, 5};
-  plant.potSegments = 15;
+  plant.potSegments = 14;
   plant.pot = Finish::whiteLacquer;
   plant.seed = 2;
   room.place(pottedPlant(plant), at({-3.45f, 0.0f, 2.5f}));
@@ -155,10 +155,10 @@ void addLight(Scene& scene) {
   sun.name = "sun";
   sun.direction = glm::normalize(glm::vec3(-0.42f, -0.6f, 0.68f));
   sun.color = {1.0f, 0.94f, 0.85f};
-  sun.intensity = 8.0f;
+  sun.intensity = 4.0f;
   scene.lights.push_back(sun);
   scene.sky.ground = {0.3f, 0.3f, 0.29f};
-  scene.ambient = glm::vec3(0.32f, 0.32f, 0.325f);
+  scene.ambient = glm::vec3(0.36f);
 }
 
 void addCameras(Scene& scene) {

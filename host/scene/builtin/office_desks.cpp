@@ -57,7 +57,7 @@ void addClutter(Interior& room, const std::array<Workplace, 5>& places) {
   const Interior::Handle pens = room.add(penCup());
   const Interior::Handle phone = room.add(telephone());
   const Interior::Handle lamp = room.add(deskLamp());
-  const Interior::Handle whiteMug = room.add(mug(Finish::porcelain, 18));
+  const Interior::Handle whiteMug = room.add(mug(Finish::porcelain, 15));
 
   room.place(trays, top[0] * at({-0.6f, 0.0f, -0.16f}));
   room.place(whiteMug, top[0] * at({0.36f, 0.0f, 0.08f}, 40.0f));
@@ -70,7 +70,7 @@ void addClutter(Interior& room, const std::array<Workplace, 5>& places) {
 
   room.place(bookStack(3, 7), top[2] * at({0.55f, 0.0f, -0.12f}, 10.0f));
 
-  room.place(mug(Finish::blueGlaze, 18), top[3] * at({0.37f, 0.0f, 0.02f}, -40.0f));
+  room.place(mug(Finish::blueGlaze, 15), top[3] * at({0.37f, 0.0f, 0.02f}, -40.0f));
   room.place(paperStack(3, 8), top[3] * at({-0.52f, 0.0f, 0.05f}, 4.0f));
 
   room.place(lamp, top[4] * at({0.6f, 0.0f, -0.2f}, -35.0f));
