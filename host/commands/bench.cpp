@@ -149,11 +149,11 @@ void addBenchCommand(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("bench", "Measure a whole suite of pictures, with plots and a report");
   const auto options = std::make_shared<BenchOptions>();
-  command->add_option("--suite", options->suite, fmt::format("NAME  {} (the default)", suiteNames().front()))
-      ->type_name("");
+  command->add_option("--suite", options->suite, fmt::format("{} (the default)", suiteNames().front()))
+      ->type_name("NAME");
   options->output = "bench-" + options->suite;
-  command->add_option("-o,--output", options->output, "DIR  where everything goes (default bench-quick)")
-      ->type_name("");
+  command->add_option("-o,--output", options->output, "where everything goes (default bench-quick)")
+      ->type_name("DIR");
   command->add_flag("--resume", options->resume, "keep what results.json in that folder already holds");
   command->add_flag("--json", options->json, "print the report as JSON on the standard output");
   addTimingOptions(*command, options->timing);

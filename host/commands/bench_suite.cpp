@@ -42,7 +42,7 @@ const std::vector<std::string>& suiteNames() {
 
 std::vector<BenchCase> suiteCases(const std::string& suite) {
   if (suite == suiteNames().front()) return quickSuite();
-  throw UsageError(fmt::format("There is no suite '{}'{}.", suite, suggestion(suite, suiteNames())));
+  throw UsageError(fmt::format("There is no suite '{}'{}", suite, suggestion(suite, suiteNames())));
 }
 
 std::string nameOf(const BenchCase& benchCase) {

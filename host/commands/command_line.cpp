@@ -1,10 +1,13 @@
 #include "host/commands/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <cctype>
 #include <cstdio>
 #include <fmt/format.h>
 #include <new>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "host/commands/commands.h"
 #include "host/commands/interruption.h"
@@ -27,8 +30,16 @@ Examples:
 SCENE is a built-in name (mres info lists them) or a .gltf or .glb file.
 Exit codes: 0 done, 1 failed, 2 wrong usage. `mres COMMAND --help` tells more.)";
 
-int fail(int code, const std::string& sentence) {
-  fmt::print(stderr, "mres: {}\n", sentence);
+/// Messages of libraries included, an error reads as a sentence.
+std::string asSentence(std::string text) {
+  if (text.empty()) return text;
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  if (std::string_view(".!?").find(text.back()) == std::string_view::npos) text += '.';
+  return text;
+}
+
+int fail(int code, const std::string& message) {
+  fmt::print(stderr, "mres: {}\n", asSentence(message));
   return code;
 }
 

@@ -112,9 +112,9 @@ void addCompareCommand(CLI::App& app, Action& action) {
   addViewOptions(*command, options->view);
   addPictureOptions(*command, options->picture);
   addTimingOptions(*command, options->timing);
-  command->add_option("-o,--output", options->output, "DIR  where pictures and report.json go")
+  command->add_option("-o,--output", options->output, "where pictures and report.json go")
       ->required()
-      ->type_name("");
+      ->type_name("DIR");
   command->footer(kExamples + describeSettings());
   command->callback([&action, options] { action = [options] { runCompare(*options); }; });
 }

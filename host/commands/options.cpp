@@ -35,13 +35,13 @@ std::string parseEffect(const std::string& name) {
   if (std::ranges::find(kAnnounced, name) != kAnnounced.end())
     throw UsageError(
         fmt::format("The effect {} comes with a later version of mres; use {}.", name, listOf(choices)));
-  throw UsageError(fmt::format("There is no effect '{}'{}.", name, suggestion(name, choices)));
+  throw UsageError(fmt::format("There is no effect '{}'{}", name, suggestion(name, choices)));
 }
 
 mres::Technique parseTechnique(const std::string& name) {
   for (const mres::Technique technique : {mres::Technique::full, mres::Technique::multiResolution})
     if (nameOf(technique) == name) return technique;
-  throw UsageError(fmt::format("There is no technique '{}'{}.", name, suggestion(name, techniqueNames())));
+  throw UsageError(fmt::format("There is no technique '{}'{}", name, suggestion(name, techniqueNames())));
 }
 
 int parseRepeat(const std::string& text) {
@@ -53,9 +53,9 @@ int parseRepeat(const std::string& text) {
 }
 
 template <class Apply>
-CLI::Option* addText(CLI::App& command, const std::string& name, const Apply& apply,
+CLI::Option* addText(CLI::App& command, const std::string& name, const char* value, const Apply& apply,
                      const std::string& description) {
-  return command.add_option_function<std::string>(name, apply, description)->type_name("");
+  return command.add_option_function<std::string>(name, apply, description)->type_name(value);
 }
 
 }  // namespace
@@ -76,32 +76,33 @@ void addPictureOptions(CLI::App& command, PictureOptions& options) {
   PictureSettings& settings = options.settings;
   const auto assign = [&settings](const Assignment& assignment) { settingsTable(settings).set(assignment); };
   addText(
-      command, "--effect", [&](const std::string& name) { settings.effect = parseEffect(name); },
-      fmt::format("NAME  {} (default {})", listOf(effectChoices()), settings.effect));
+      command, "--effect", "NAME", [&](const std::string& name) { settings.effect = parseEffect(name); },
+      fmt::format("{} (default {})", listOf(effectChoices()), settings.effect));
   addText(
-      command, "--technique", [&](const std::string& name) { settings.technique = parseTechnique(name); },
-      fmt::format("NAME  full: every pixel; mres: each part at the resolution it needs (default {})",
+      command, "--technique", "NAME",
+      [&](const std::string& name) { settings.technique = parseTechnique(name); },
+      fmt::format("full: every pixel; mres: each part at the resolution it needs (default {})",
                   nameOf(settings.technique)));
   addText(
-      command, "--samples",
+      command, "--samples", "N",
       [=](const std::string& value) {
         assign({"samples", value});
       },
-      fmt::format("N  samples a pixel of the effect (default {})", sampleCount(settings)));
+      fmt::format("samples a pixel of the effect (default {})", sampleCount(settings)));
   addText(
-      command, "--seed",
+      command, "--seed", "N",
       [=](const std::string& value) {
         assign({"seed", value});
       },
-      "N  chooses the effect's sample points (default 0)");
+      "chooses the effect's sample points (default 0)");
   command
       .add_option_function<std::vector<std::string>>(
           "--set",
           [=](const std::vector<std::string>& texts) {
             for (const std::string& text : texts) assign(parseAssignment(text));
           },
-          "KEY=VALUE  any setting, as often as needed; they are listed below")
-      ->type_name("")
+          "any setting, as often as needed; they are listed below")
+      ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   command.add_flag("--json", options.json, "print the report as JSON on the standard output");
 }
@@ -112,21 +113,23 @@ void addViewOptions(CLI::App& command, ViewOptions& options) {
       ->type_name("")
       ->capture_default_str();
   addText(
-      command, "--camera", [&](const std::string& text) { options.camera = parseCamera(text); },
-      "N  camera, from 0 on (default 0); `all` where several make sense");
+      command, "--camera", "N", [&](const std::string& text) { options.camera = parseCamera(text); },
+      "camera, from 0 on (default 0); `all` where several make sense");
   addText(
-      command, "--size", [&](const std::string& text) { options.size = parseSize(text); },
-      fmt::format("WxH  pixels up to {0}x{0}, or 720p, 1080p, 1440p, 4k (default {1}x{2})", kMaxImageSize,
+      command, "--size", "WxH", [&](const std::string& text) { options.size = parseSize(text); },
+      fmt::format("pixels up to {0}x{0}, or 720p, 1080p, 1440p, 4k (default {1}x{2})", kMaxImageSize,
                   options.size.x, options.size.y));
 }
 
 void addTimingOptions(CLI::App& command, TimingOptions& options) {
   const RepeatPlan plan;
   CLI::Option* repeat = addText(
-      command, "--repeat", [&](const std::string& text) { options.repeat = parseRepeat(text); },
-      fmt::format("N  timed repetitions (default: {} to {}, until the speedup is known within {:.0f} %)",
+      command, "--repeat", "N", [&](const std::string& text) { options.repeat = parseRepeat(text); },
+      fmt::format("timed repetitions (default: {} to {}, until the speedup is known within {:.0f} %)",
                   plan.minPairs, plan.maxPairs, plan.precision * 100.0));
-  command.add_flag("!--timing,--no-timing{false}", options.timing, "pictures and errors only")
+  command
+      .add_flag_callback(
+          "--no-timing", [&] { options.timing = false; }, "pictures and errors only")
       ->excludes(repeat);
 }
 

@@ -60,6 +60,7 @@ void writeTextFile(const fs::path& path, const std::string& text) {
 }
 
 OutputDirectory::OutputDirectory(fs::path path) : path_(std::move(path)) {
+  if (path_.empty()) failToWrite(path_, "its name is empty");
   std::vector<fs::path> missing;
   for (fs::path folder = fs::absolute(path_).lexically_normal(); !fs::exists(folder);
        folder = folder.parent_path())

@@ -98,8 +98,8 @@ std::vector<std::string> closestNames(std::string_view word, const std::vector<s
 
 std::string suggestion(std::string_view word, const std::vector<std::string>& candidates) {
   const std::vector<std::string> near = closestNames(word, candidates);
-  if (near.empty()) return fmt::format("; there are {}", fmt::join(candidates, ", "));
-  return fmt::format("; did you mean {}?", fmt::join(near, " or "));
+  if (!near.empty()) return fmt::format("; did you mean {}?", fmt::join(near, " or "));
+  return fmt::format("; use {}{}.", candidates.size() > 1 ? "one of " : "", fmt::join(candidates, ", "));
 }
 
 }  // namespace host

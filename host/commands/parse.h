@@ -31,7 +31,7 @@ Assignment parseAssignment(const std::string& text);
 /// `word` and the candidates that a slip of the finger would turn it into, nearest first, at most three.
 std::vector<std::string> closestNames(std::string_view word, const std::vector<std::string>& candidates);
 
-/// "; did you mean radius or samples?", or the whole list where nothing is near.
+/// The end of a sentence: "; did you mean radius or samples?", or the whole list where nothing is near.
 std::string suggestion(std::string_view word, const std::vector<std::string>& candidates);
 
 }  // namespace host

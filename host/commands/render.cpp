@@ -120,9 +120,9 @@ void addRenderCommand(CLI::App& app, Action& action) {
   addViewOptions(*command, options->view);
   addPictureOptions(*command, options->picture);
   addTimingOptions(*command, options->timing);
-  command->add_option("-o,--output", options->output, "FILE  the picture, .png or .exr")
+  command->add_option("-o,--output", options->output, "the picture, .png or .exr")
       ->required()
-      ->type_name("");
+      ->type_name("FILE");
   command->footer(kExamples + describeSettings());
   command->callback([&action, options] { action = [options] { runRender(*options); }; });
 }

@@ -45,7 +45,7 @@ const SettingsTable::Entry& SettingsTable::find(const std::string& name) const {
   if (entry != entries_.end()) return *entry;
   std::vector<std::string> names;
   std::ranges::transform(entries_, std::back_inserter(names), &Entry::name);
-  throw UsageError(fmt::format("There is no setting '{}'{}.", name, suggestion(name, names)));
+  throw UsageError(fmt::format("There is no setting '{}'{}", name, suggestion(name, names)));
 }
 
 Json SettingsTable::values() const {

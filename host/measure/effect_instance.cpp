@@ -31,6 +31,16 @@ std::vector<StageCost> stagesOf(const mres::Report& report) {
   return stages;
 }
 
+/// By level index, 0 for levels that were left out.
+std::vector<double> coverageOf(const mres::Report& report) {
+  std::vector<double> coverage;
+  for (const mres::LevelReport& level : report.levels) {
+    coverage.resize(std::max<std::size_t>(coverage.size(), level.index + 1));
+    coverage[level.index] = level.coverage;
+  }
+  return coverage;
+}
+
 /// Stage by stage the median of several frames, in the order of the first.
 std::vector<StageCost> medianStages(const std::vector<std::vector<StageCost>>& frames) {
   std::map<std::string, std::vector<double>> times;
@@ -78,7 +88,7 @@ void inspect(EffectInstance& instance, const mres::Frame& frame, Measurement& me
 
   const mres::Report& report = instance.multiResolution().report();
   measurement.stages = medianStages(frames);
-  for (const mres::LevelReport& level : report.levels) measurement.coverage.push_back(level.coverage);
+  measurement.coverage = coverageOf(report);
   for (const mres::Skip& skip : report.skipped)
     measurement.skipped.push_back({std::string(skip.what), std::string(skip.reason)});
   measurement.gpuBytes = report.bytes;

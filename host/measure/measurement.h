@@ -41,7 +41,7 @@ struct Measurement {
   std::optional<InterleavedTimes> times;  ///< none if pictures and errors alone were asked for; without
                                           ///< reference runs there is no speedup
   std::optional<ErrorMetrics> error;      ///< none without a reference
-  std::vector<double> coverage;           ///< finest level first
+  std::vector<double> coverage;           ///< share of level i in which the effect ran
   std::vector<StageCost> stages;          ///< of the technique
   std::vector<SkippedPart> skipped;
   std::size_t gpuBytes = 0;
