@@ -61,6 +61,8 @@ struct MultiResolution::Implementation {
   EffectPasses& passesOf(Effect& effect);
   void bindFrame(const Frame& frame, const params::FrameParams& params);
   void uploadLevels(EffectPass& effect, glm::ivec2 fullSize);
+  [[nodiscard]] bool isCoarsest(std::size_t planned) const { return planned + 1 == plan.levels.size(); }
+  ZoneInputs zoneOf(EffectPass& effect, std::size_t planned);
   void renderLevels(EffectPasses& passes);
   void drawEffect(EffectPass& effect, std::size_t planned);
   void fillReport(const EffectPasses& passes);
@@ -93,11 +95,20 @@ void MultiResolution::Implementation::bindFrame(const Frame& frame, const params
 void MultiResolution::Implementation::uploadLevels(EffectPass& effect, glm::ivec2 fullSize) {
   for (std::size_t i = 0; i < plan.levels.size(); ++i) {
     const PlannedLevel& level = plan.levels[i];
-    const PlannedLevel* coarser = i + 1 < plan.levels.size() ? &plan.levels[i + 1] : nullptr;
+    const PlannedLevel* coarser = isCoarsest(i) ? nullptr : &plan.levels[i + 1];
+    const LevelRole zoned = i == 0 ? LevelRole::finest : LevelRole::intermediate;
     LevelTargets& targets = effect.targets(level.index);
-    targets.ensure(effect.effect(), level.size, coarser != nullptr);
-    targets.params().upload(levelParams(level, coarser, fullSize));
+    targets.ensure(effect.effect(), level.size, isCoarsest(i) ? LevelRole::coarsest : zoned);
+    targets.params().upload(levelParams(level, coarser, fullSize, settings.mask.refineThreshold));
   }
+}
+
+ZoneInputs MultiResolution::Implementation::zoneOf(EffectPass& effect, std::size_t planned) {
+  const LevelTargets& coarser = effect.targets(plan.levels[planned + 1].index);
+  const bool progressive = settings.mask.refineThreshold > 0.0f && coarser.role() == LevelRole::intermediate;
+  return {.mask = &shared->masks.mask(plan.levels[planned].index),
+          .coarser = &coarser.composed().color(0),
+          .refine = progressive ? &coarser.composed().color(1) : nullptr};
 }
 
 GLuint MultiResolution::Implementation::render(Effect& effect, const Frame& frame) {
@@ -125,28 +136,25 @@ void MultiResolution::Implementation::renderLevels(EffectPasses& passes) {
   for (std::size_t i = plan.levels.size(); i-- > 0;) {
     LevelTargets& targets = passes.effect.targets(plan.levels[i].index);
     targets.params().bind(kLevelBlock);
-    const bool coarsest = i + 1 == plan.levels.size();
-    if (coarsest) {
+    if (isCoarsest(i)) {
       drawEffect(passes.effect, i);
       passes.composite.drawCoarsest(context, targets);
     } else {
-      const gl::Texture2D& mask = shared->masks.mask(plan.levels[i].index);
-      const LevelTargets& coarser = passes.effect.targets(plan.levels[i + 1].index);
-      shared->stencil.draw(context, targets.raw(), mask);
+      const ZoneInputs zone = zoneOf(passes.effect, i);
+      shared->stencil.draw(context, targets.raw(), zone);
       drawEffect(passes.effect, i);
-      passes.composite.draw(context, targets, coarser.composed().color(), mask);
+      passes.composite.draw(context, targets, zone);
     }
   }
 }
 
 void MultiResolution::Implementation::drawEffect(EffectPass& effect, std::size_t planned) {
   const int level = plan.levels[planned].index;
-  const bool zoned = planned + 1 < plan.levels.size();
   if (effect.effect().readsPyramid) {
     gl::bindTexture(kSourceUnit, shared->pyramid.texture().id(), context.nearestMip);
   }
   if (measureCoverage) coverage.beginLevel(level);
-  effect.draw(context, level, zoned);
+  effect.draw(context, level, !isCoarsest(planned));
   if (measureCoverage) coverage.endLevel();
 }
 

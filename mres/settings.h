@@ -16,21 +16,25 @@ enum class Technique {
   multiResolution  ///< the effect at the resolution that each pixel needs
 };
 
-/// Where the edge detector sees detail. Thresholds are on the surface, not on pixels, so that they mean the
-/// same at every resolution and field of view.
+/// Where a level is refined. Edge thresholds are on the surface, not on pixels, so that they mean the same at
+/// every resolution and field of view.
 struct MaskSettings {
-  float normalThreshold = 20.0f;  ///< degrees, [0, 180]. Normals of neighbours further apart are an edge.
-  float depthThreshold =
-      0.05f;  ///< metres, [0, 100]. Steps in depth off a plane larger than this are an edge.
+  float normalThreshold = 20.0f;  ///< degrees, [0, 180]. Neighbours' normals further apart are an edge.
+  float depthThreshold = 0.05f;   ///< metres, [0, 100]. Larger steps in depth, off a plane, are an edge.
+  float refineThreshold = 0.02f;  ///< [0, 1] of the effect's range. Least gain worth refining; 0: any.
 };
 
 template <class Visitor>
 void visit(MaskSettings& settings, Visitor&& visitor) {
   visitor("normalThreshold", settings.normalThreshold,
-          SettingInfo{"degrees", 0.0, 180.0,
-                      "Normals of neighbouring pixels further apart than this are an edge."});
+          SettingInfo{"degrees", 0.0, 180.0, "Neighbours' normals further apart are an edge."});
   visitor("depthThreshold", settings.depthThreshold,
-          SettingInfo{"metres", 0.0, 100.0, "Steps in depth off a plane larger than this are an edge."});
+          SettingInfo{"metres", 0.0, 100.0, "Larger steps in depth, off a plane, are an edge."});
+  visitor(
+      "refineThreshold", settings.refineThreshold,
+      SettingInfo{"", 0.0, 1.0,
+                  "At edges, refine a level further only where it differed from the coarser one by more; 0: "
+                  "wherever there are edges."});
 }
 
 /// Of a MultiResolution; may change from frame to frame.

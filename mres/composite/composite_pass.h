@@ -15,8 +15,7 @@ class CompositePass {
 
   /// A finer level: the upsampled coarser picture outside of the zone, the blend inside. Needs the frame's
   /// and the level's blocks bound, depth and normals too where the effect is filtered.
-  void draw(PassContext& context, LevelTargets& level, const gl::Texture2D& coarser,
-            const gl::Texture2D& mask);
+  void draw(PassContext& context, LevelTargets& level, const ZoneInputs& zone);
 
  private:
   const gl::Texture2D& filterAlongX(PassContext& context, LevelTargets& level, bool zoned);
@@ -24,8 +23,16 @@ class CompositePass {
   bool filtered_;
   gl::Program filter_;
   gl::Program coarsest_;
-  gl::Program blend_;
-  gl::Program upsample_;
+  /// Programs of a zoned level, by whether a finer one follows (then they also write where to refine).
+  struct ZonePrograms {
+    gl::Program blend;
+    gl::Program blendProgressively;
+    gl::Program upsample;
+  };
+  static ZonePrograms makeZonePrograms(const gl::ShaderLibrary& library, const EffectDescription& effect,
+                                       LevelRole role);
+  ZonePrograms finest_;
+  ZonePrograms intermediate_;
 };
 
 }  // namespace mres

@@ -69,11 +69,11 @@ RenderTarget::RenderTarget(glm::ivec2 size, std::initializer_list<GLenum> colorF
   finish(label);
 }
 
-RenderTarget::RenderTarget(glm::ivec2 size, GLenum colorFormat, const StencilBuffer& stencil,
-                           const char* label)
+RenderTarget::RenderTarget(glm::ivec2 size, std::initializer_list<GLenum> colorFormats,
+                           const StencilBuffer& stencil, const char* label)
     : framebuffer_(FramebufferName::create()), size_(size) {
   glBindFramebuffer(GL_FRAMEBUFFER, id());
-  addColor(colorFormat, label);
+  for (const GLenum format : colorFormats) addColor(format, label);
   stencil.attach();
   finish(label);
 }

@@ -33,8 +33,9 @@ class RenderTarget {
   /// `depthFormat` 0 is none. Throws std::runtime_error if the driver rejects the combination.
   RenderTarget(glm::ivec2 size, std::initializer_list<GLenum> colorFormats, GLenum depthFormat,
                const char* label);
-  /// One colour texture and a stencil that outlives this target.
-  RenderTarget(glm::ivec2 size, GLenum colorFormat, const StencilBuffer& stencil, const char* label);
+  /// With a stencil that outlives this target.
+  RenderTarget(glm::ivec2 size, std::initializer_list<GLenum> colorFormats, const StencilBuffer& stencil,
+               const char* label);
 
   /// Binds it for drawing with the viewport over all of it.
   void bind() const;

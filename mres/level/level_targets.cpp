@@ -7,25 +7,23 @@ namespace {
 /// metres.
 constexpr float kFilterTolerance = 0.005f;
 
-gl::RenderTarget makeTarget(glm::ivec2 size, GLenum format, const gl::StencilBuffer* stencil,
-                            const char* label) {
-  return stencil == nullptr ? gl::RenderTarget(size, {format}, 0, label)
-                            : gl::RenderTarget(size, format, *stencil, label);
-}
-
 }  // namespace
 
-void LevelTargets::ensure(const EffectDescription& effect, glm::ivec2 size, bool zoned) {
-  if (raw_.size() == size && zoned_ == zoned) return;
+void LevelTargets::ensure(const EffectDescription& effect, glm::ivec2 size, LevelRole role) {
+  if (raw_.size() == size && role_ == role) return;
   const GLenum rawFormat = effect.channels == 1 ? GL_RG16F : GL_RGBA16F;
   const GLenum resultFormat = effect.channels == 1 ? GL_R16F : GL_RGBA16F;
+  const bool zoned = role != LevelRole::coarsest;
   stencil_ = zoned ? gl::StencilBuffer(size, "mres.stencil") : gl::StencilBuffer();
-  const gl::StencilBuffer* stencil = zoned ? &stencil_ : nullptr;
-  raw_ = makeTarget(size, rawFormat, stencil, "mres.level");
-  filteredAlongX_ =
-      effect.filtered ? makeTarget(size, rawFormat, stencil, "mres.filter") : gl::RenderTarget();
-  composed_ = makeTarget(size, resultFormat, stencil, "mres.composite");
-  zoned_ = zoned;
+  const auto makeTarget = [&](std::initializer_list<GLenum> formats, const char* label) {
+    return zoned ? gl::RenderTarget(size, formats, stencil_, label)
+                 : gl::RenderTarget(size, formats, 0, label);
+  };
+  raw_ = makeTarget({rawFormat}, "mres.level");
+  filteredAlongX_ = effect.filtered ? makeTarget({rawFormat}, "mres.filter") : gl::RenderTarget();
+  composed_ = role == LevelRole::intermediate ? makeTarget({resultFormat, GL_R8}, "mres.composite")
+                                              : makeTarget({resultFormat}, "mres.composite");
+  role_ = role;
 }
 
 std::size_t LevelTargets::bytes() const {
@@ -41,7 +39,8 @@ void LevelTargets::fill(float value) const {
   }
 }
 
-params::LevelParams levelParams(const PlannedLevel& level, const PlannedLevel* coarser, glm::ivec2 fullSize) {
+params::LevelParams levelParams(const PlannedLevel& level, const PlannedLevel* coarser, glm::ivec2 fullSize,
+                                float refineThreshold) {
   params::LevelParams params{};
   const int stride = 1 << level.index;
   params.levelSize = level.size;
@@ -55,6 +54,7 @@ params::LevelParams levelParams(const PlannedLevel& level, const PlannedLevel* c
   params.maskFromPixel =
       1.0f / (static_cast<float>(2 * stride) * glm::vec2(levelSize(fullSize, level.index + 1)));
   params.blendWeight = level.settings.blendWeight;
+  params.refineThreshold = refineThreshold;
   params.filterTolerance = kFilterTolerance;
   return params;
 }

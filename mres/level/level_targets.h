@@ -8,17 +8,25 @@
 
 namespace mres {
 
+/// A level's place among those that a frame renders. A frame of one level has the coarsest alone.
+enum class LevelRole {
+  finest,        ///< renders in its zone; its picture is the result
+  intermediate,  ///< renders in its zone, and says where refining it further would show
+  coarsest       ///< renders the whole screen
+};
+
 /// What one effect renders into at one level, made on first use and when the size changes.
 class LevelTargets {
  public:
-  /// Makes what is missing for `size`; `zoned` levels get a stencil.
-  void ensure(const EffectDescription& effect, glm::ivec2 size, bool zoned);
+  /// Makes what is missing for `size`.
+  void ensure(const EffectDescription& effect, glm::ivec2 size, LevelRole role);
 
   [[nodiscard]] const gl::RenderTarget& raw() const { return raw_; }  ///< value and filter depth
   [[nodiscard]] const gl::RenderTarget& filteredAlongX() const { return filteredAlongX_; }
   [[nodiscard]] const gl::RenderTarget& composed() const {
     return composed_;
   }  ///< the picture down to this level
+  [[nodiscard]] LevelRole role() const { return role_; }
   gl::UniformBuffer<params::LevelParams>& params() { return params_; }
   [[nodiscard]] std::size_t bytes() const;
 
@@ -31,10 +39,18 @@ class LevelTargets {
   gl::RenderTarget raw_;
   gl::RenderTarget filteredAlongX_;
   gl::RenderTarget composed_;
-  bool zoned_ = false;
+  LevelRole role_ = LevelRole::coarsest;
+};
+
+/// What limits and underlies a level that does not render the whole screen.
+struct ZoneInputs {
+  const gl::Texture2D* mask = nullptr;     ///< of this level
+  const gl::Texture2D* coarser = nullptr;  ///< the picture down to the coarser level
+  const gl::Texture2D* refine = nullptr;   ///< where the coarser level saw a difference; null: it has no say
 };
 
 /// The block of a level whose coarser neighbour is `coarser` (null for the coarsest).
-params::LevelParams levelParams(const PlannedLevel& level, const PlannedLevel* coarser, glm::ivec2 fullSize);
+params::LevelParams levelParams(const PlannedLevel& level, const PlannedLevel* coarser, glm::ivec2 fullSize,
+                                float refineThreshold);
 
 }  // namespace mres

@@ -14,6 +14,7 @@ gl::Program makePassProgram(const gl::ShaderLibrary& library, const char* fragme
   program.setTextureUnit("coarserTexture", kCoarserUnit);
   program.setTextureUnit("maskTexture", kMaskUnit);
   program.setTextureUnit("finerMaskTexture", kMaskUnit);
+  program.setTextureUnit("refineTexture", kRefineUnit);
   program.setBlockBinding("FrameParams", kFrameBlock);
   program.setBlockBinding("LevelParams", kLevelBlock);
   program.setBlockBinding("EdgesParams", kPassBlock);

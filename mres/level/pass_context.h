@@ -14,7 +14,8 @@ enum TextureUnit : GLuint {
   kNormalUnit = 1,
   kSourceUnit = 2,
   kCoarserUnit = 3,
-  kMaskUnit = 4
+  kMaskUnit = 4,
+  kRefineUnit = 5
 };
 
 /// Uniform blocks; an effect's own start at kEffectBlockBinding.

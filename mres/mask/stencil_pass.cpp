@@ -3,9 +3,10 @@
 namespace mres {
 
 StencilPass::StencilPass(const gl::ShaderLibrary& library)
-    : program_(makePassProgram(library, "mres/stencil.frag")) {}
+    : byMask_(makePassProgram(library, "mres/stencil.frag", "#define PROGRESSIVE 0\n")),
+      byMaskAndRefinement_(makePassProgram(library, "mres/stencil.frag", "#define PROGRESSIVE 1\n")) {}
 
-void StencilPass::draw(PassContext& context, const gl::RenderTarget& target, const gl::Texture2D& mask) {
+void StencilPass::draw(PassContext& context, const gl::RenderTarget& target, const ZoneInputs& zone) {
   const gl::Scope scope(context.profiler, "mres.stencil");
   constexpr GLint kOutside = 0;
   target.bind();
@@ -13,11 +14,12 @@ void StencilPass::draw(PassContext& context, const gl::RenderTarget& target, con
   glEnable(GL_STENCIL_TEST);
   glStencilFunc(GL_ALWAYS, kZone, 0xFF);
   glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  gl::bindTexture(kMaskUnit, mask.id(), context.linear);
-  glUseProgram(program_.id());
+  glColorMaski(0, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  gl::bindTexture(kMaskUnit, zone.mask->id(), context.linear);
+  if (zone.refine != nullptr) gl::bindTexture(kRefineUnit, zone.refine->id(), context.linear);
+  glUseProgram(zone.refine != nullptr ? byMaskAndRefinement_.id() : byMask_.id());
   context.triangle.draw();
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glDisable(GL_STENCIL_TEST);
 }
 

@@ -1,13 +1,21 @@
 #version 330 core
 // Second half of the filter (along y), and the blend over the coarser level:
 //   c'_i = c_i min(a_i w_i, 1) + c'_(i+1) (1 - min(a_i w_i, 1))        (equation 1; i + 1 is the coarser level)
-// FILTERED, COARSEST: whether the effect is filtered, and whether there is a coarser level at all.
+// FILTERED: whether the effect is filtered. COARSEST: there is no coarser level. PROGRESSIVE: the coarser level said
+// where to refine. REFINABLE: a finer level follows and wants to know where this one changed the picture.
 #include "mres/filter.glsl"
 
 uniform sampler2D coarserTexture;
 uniform sampler2D maskTexture;
+uniform sampler2D refineTexture;
 
-out vec4 fragment;
+layout(location = 0) out vec4 fragment;
+#if REFINABLE
+layout(location = 1) out float refine;
+
+float largest(float v) { return v; }
+float largest(vec3 v) { return max(v.r, max(v.g, v.b)); }
+#endif
 
 void main() {
     ivec2 levelPixel = ivec2(gl_FragCoord.xy);
@@ -20,7 +28,13 @@ void main() {
 #if !COARSEST
     ivec2 fullPixel = representativePixel(levelPixel, size);
     float alpha = min(texture(maskTexture, maskCoordinate(fullPixel)).r * blendWeight, 1.0);
+#if PROGRESSIVE
+    alpha *= refinement(refineTexture, fullPixel);
+#endif
     Value coarser = VALUE(texture(coarserTexture, coarserCoordinate(fullPixel)));
+#if REFINABLE
+    refine = largest(abs(value - coarser)) > refineThreshold ? 1.0 : 0.0;
+#endif
     value = value * alpha + coarser * (1.0 - alpha);
 #endif
     fragment = vec4(0.0, 0.0, 0.0, 1.0);

@@ -12,6 +12,11 @@ vec2 coarserCoordinate(ivec2 fullPixel) {
     return vec2(fullPixel) * coarserFromPixel;
 }
 
+// The coarser level's word on where refining it shows, 0..1.
+float refinement(sampler2D refineTexture, ivec2 fullPixel) {
+    return min(2.0 * texture(refineTexture, coarserCoordinate(fullPixel)).r, 1.0);
+}
+
 vec2 maskCoordinate(ivec2 fullPixel) {
     return (vec2(fullPixel) + 0.5) * maskFromPixel;
 }

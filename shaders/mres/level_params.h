@@ -11,7 +11,9 @@ UNIFORM_BLOCK(LevelParams) {
     vec2 coarserFromPixel; // texture coordinate in the coarser level per full-resolution pixel
     vec2 maskFromPixel;    // texture coordinate in the mask per full-resolution pixel
     float blendWeight;     // w_i of equation 1, [1, 1000]
+    float refineThreshold; // difference to the coarser level above which the next finer level may render; < 0: always
     float filterTolerance; // off-plane distance over view depth up to which the filter trusts a neighbour
+    float padding;
 };
 
 END_PARAMS

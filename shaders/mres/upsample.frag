@@ -5,9 +5,15 @@
 
 uniform sampler2D coarserTexture;
 
-out vec4 fragment;
+layout(location = 0) out vec4 fragment;
+#if REFINABLE
+layout(location = 1) out float refine;
+#endif
 
 void main() {
     ivec2 fullPixel = representativePixel(ivec2(gl_FragCoord.xy), size);
     fragment = texture(coarserTexture, coarserCoordinate(fullPixel));
+#if REFINABLE
+    refine = 0.0;
+#endif
 }
