@@ -23,7 +23,7 @@ void addArchivolt(Mesh& mesh, float springing, float facing) {
   const std::vector<glm::vec2>& section = facing > 0.0f ? rich : plain;
   const glm::vec3 along(0.0f, 0.0f, -facing);
   const std::vector<glm::vec3> path =
-      modelling::arcPath({facing * 0.5f * kThickness, springing, 0.0f}, -kArchRadius * along,
+      modelling::arcPath({facing * kHalfWall, springing, 0.0f}, -kArchRadius * along,
                          {0.0f, kArchRadius, 0.0f}, 0.0f, glm::pi<float>(), kArchSegments);
   addSweep(mesh, section, path, false, 40.0f, {facing, 0.0f, 0.0f});
 }
@@ -35,8 +35,8 @@ void addKeystone(Mesh& mesh, float springing, float facing) {
       {-0.11f, crown - 0.06f}, {0.11f, crown - 0.06f}, {0.19f, crown + 0.41f}, {-0.19f, crown + 0.41f}};
   const std::size_t first = mesh.vertices.size();
   addWall(mesh, wedge, 0.2f);
-  modelling::transformFrom(
-      mesh, first, glm::translate(glm::mat4(1.0f), {facing * (0.5f * kThickness + 0.06f), 0.0f, 0.0f}));
+  modelling::transformFrom(mesh, first,
+                           glm::translate(glm::mat4(1.0f), {facing * (kHalfWall + 0.06f), 0.0f, 0.0f}));
 }
 
 void addArchMouldings(Mesh& mesh) {
@@ -60,7 +60,7 @@ void addImposts(Mesh& mesh) {
 
 /// A flat pilaster on the gallery's piers that carries the nave vault's ribs, centred on z = 0.
 void addPilaster(Mesh& mesh) {
-  const float face = 0.5f * kThickness;
+  const float face = kHalfWall;
   const auto block = [&](float bottom, float top, float halfWidth, float projection, float bevel) {
     addBox(mesh, {face - 0.04f, bottom, -halfWidth}, {face + projection, top, halfWidth}, bevel);
   };
@@ -86,14 +86,14 @@ void addCornice(Mesh& mesh) {
   appendArc(face, {0.29f, kCorniceBottom + 0.53f}, 0.04f, -60.0f, 60.0f, 3);
   face.emplace_back(0.3f, kGallery + 0.11f);
   face.emplace_back(-0.02f, kGallery + 0.13f);
-  const float x = 0.5f * kThickness;
+  const float x = kHalfWall;
   const std::vector<glm::vec3> path{{x, 0.0f, kHalfLength}, {x, 0.0f, -kHalfLength}};
   addSweep(mesh, moulding(std::move(face)), path);
 }
 
 void addDentils(Mesh& mesh) {
   constexpr int kDentils = 18;  // a bay
-  const float x = 0.5f * kThickness;
+  const float x = kHalfWall;
   for (int i = 0; i < kDentils; ++i) {
     const float z = (static_cast<float>(i) + 0.5f) * kBay / kDentils - 0.5f * kBay;
     addBox(mesh, {x + 0.04f, kCorniceBottom + 0.22f, z - 0.07f},
@@ -108,7 +108,7 @@ void addRoundel(Mesh& mesh) {
   profile.insert(profile.end(), {{0.2f, 0.015f}, {0.12f, 0.02f}, {0.08f, 0.06f}, {0.0f, 0.075f}});
   const std::size_t first = mesh.vertices.size();
   modelling::addLathe(mesh, {0, 0, 0}, profile, 14);
-  const glm::mat4 onWall = glm::translate(glm::mat4(1.0f), {0.5f * kThickness, 5.62f, 0.0f});
+  const glm::mat4 onWall = glm::translate(glm::mat4(1.0f), {kHalfWall, 5.62f, 0.0f});
   modelling::transformFrom(mesh, first, glm::rotate(onWall, -glm::half_pi<float>(), {0, 0, 1}));
 }
 

@@ -68,7 +68,7 @@ void addBase(Mesh& mesh) {
 void addNecking(Mesh& mesh) {
   std::vector<glm::vec2> profile{{kShaftTopRadius - 0.01f, kShaftTop - 0.05f}};
   appendArc(profile, {kShaftTopRadius, kShaftTop - 0.015f}, 0.03f, -80.0f, 80.0f, 3);
-  profile.emplace_back(kShaftTopRadius - 0.02f, kShaftTop + 0.02f);
+  profile.emplace_back(kShaftTopRadius - 0.06f, kShaftTop + 0.03f);
   addLathe(mesh, {0, 0, 0}, profile, 18);
 }
 

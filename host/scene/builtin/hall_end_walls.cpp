@@ -13,9 +13,6 @@ namespace {
 using modelling::addBox;
 using modelling::addSweep;
 
-constexpr float kFoundation = -0.5f;
-constexpr float kHalfWall = 0.5f * kThickness;
-
 /// The wall's parts beside the openings, from |z| = `inner` outwards: high by the nave, lower by the aisles.
 void addFlanks(Mesh& mesh, float inner, float bottom) {
   for (const auto& [from, to, top] :
@@ -66,22 +63,6 @@ void addDoorWall(Mesh& mesh) {
   addFlanks(mesh, kHalfWidth, kFoundation);
 }
 
-/// Roll mouldings around an opening with an arch, on the nave's face.
-void addSurround(Mesh& mesh, const Opening& opening, float foot) {
-  const float radius = opening.halfWidth + 0.06f;
-  std::vector<glm::vec3> path{{kHalfWall, foot, -radius}};
-  const std::vector<glm::vec3> arch = modelling::arcPath(
-      {kHalfWall, opening.springing, 0.0f}, {0, 0, -radius}, {0, radius, 0}, 0.0f, glm::pi<float>(), 24);
-  path.insert(path.end(), arch.begin(), arch.end());
-  path.emplace_back(kHalfWall, foot, radius);
-  std::vector<glm::vec2> section{{0.0f, -0.04f}, {0.3f, -0.04f}, {0.3f, 0.09f}, {0.27f, 0.11f}};
-  appendArc(section, {0.2f, 0.08f}, 0.055f, 30.0f, 180.0f, 4);
-  section.insert(section.end(), {{0.12f, 0.05f}});
-  appendArc(section, {0.06f, 0.05f}, 0.045f, 0.0f, 180.0f, 4);
-  section.insert(section.end(), {{0.0f, 0.03f}});
-  addSweep(mesh, section, path, false, 40.0f, {1, 0, 0});
-}
-
 void addRose(Mesh& mesh) {
   constexpr int kPetals = 12;
   const glm::vec3 hub(0.0f, kRoseHeight, 0.0f);
@@ -102,78 +83,48 @@ void addRose(Mesh& mesh) {
   }
 }
 
-/// Two oak leaves with raised panels under the door's arch.
-void addDoorLeaves(Mesh& mesh) {
-  std::vector<glm::vec2> outline{{-kDoor.halfWidth - 0.05f, kSunk}, {kDoor.halfWidth + 0.05f, kSunk}};
-  appendArc(outline, {0.0f, kDoor.springing}, kDoor.halfWidth + 0.05f, 0.0f, 180.0f, 24);
-  addWall(mesh, outline, 0.14f);
-  for (const float side : {-1.0f, 1.0f}) {
-    const float z = side * 0.75f;
-    for (const auto& [bottom, top] :
-         {std::pair(0.25f, 0.95f), std::pair(1.1f, 2.15f), std::pair(2.3f, 3.3f)}) {
-      addBox(mesh, {0.06f, bottom, z - 0.55f}, {0.11f, top, z + 0.55f}, 0.03f);
-      addBox(mesh, {0.1f, bottom + 0.14f, z - 0.41f}, {0.14f, top - 0.14f, z + 0.41f}, 0.02f);
-    }
-  }
-  addBox(mesh, {0.06f, 0.02f, -0.05f}, {0.13f, kDoor.crown() - 0.03f, 0.05f}, 0.015f);
+/// Tracery, glazing bars and surround of one great window, its middle at `z`.
+void addGreatWindow(Mesh& dressings, Mesh& bars, const Opening& opening, float z) {
+  Mesh tracery;
+  addTracery(tracery, opening);
+  Mesh glazing;
+  addGlazingBars(glazing, opening);
+  const glm::mat4 deep = glm::translate(glm::mat4(1.0f), {kHalfWall - kReveal, 0.0f, z});
+  modelling::addMesh(dressings, tracery, deep);
+  modelling::addMesh(bars, glazing, deep);
+  addShifted(dressings, z, [&] { addSurround(dressings, opening, opening.sill); });
 }
 
-void addDoorIron(Mesh& mesh) {
-  for (const float side : {-1.0f, 1.0f}) {
-    for (const float y : {0.62f, 1.02f, 2.22f}) {
-      addBox(mesh, {0.065f, y - 0.03f, std::min(side * 1.45f, side * 0.3f)},
-             {0.085f, y + 0.03f, std::max(side * 1.45f, side * 0.3f)}, 0.008f);
-    }
-    std::vector<glm::vec3> ring = modelling::arcPath({0.17f, 1.32f, side * 0.22f}, {0, 0, -0.08f},
-                                                     {0, 0.08f, 0}, 0.0f, glm::two_pi<float>(), 16);
-    ring.pop_back();
-    addSweep(mesh, modelling::circleOutline(0.012f, 6), ring, true, 70.0f, {1, 0, 0});
+void addFarEnd(Hall& hall) {
+  Mesh wall = makeMesh("window wall", hall.material.ashlar);
+  addWindowWall(wall);
+  Mesh dressings = makeMesh("great windows", hall.material.dressed);
+  Mesh bars = makeMesh("great windows' bars", hall.material.iron);
+  addGreatWindow(dressings, bars, kEndWindow, 0.0f);
+  addGreatWindow(dressings, bars, kEndSideWindow, kEndSideWindowOffset);
+  addGreatWindow(dressings, bars, kEndSideWindow, -kEndSideWindowOffset);
+  addBox(dressings, {-0.1f, kEndWindow.sill - 0.14f, -4.5f},
+         {kHalfWall + 0.16f, kEndWindow.sill + 0.03f, 4.5f}, 0.03f);
+  for (Mesh* mesh : {&wall, &dressings, &bars}) {
+    hall.builder.place(hall.builder.addMesh(std::move(*mesh)), onEndWall(-1.0f, 0.0f));
   }
 }
 
-void placeAll(Hall& hall, std::vector<Mesh> meshes, const glm::mat4& transform) {
-  for (Mesh& mesh : meshes) hall.builder.place(hall.builder.addMesh(std::move(mesh)), transform);
+void addNearEnd(Hall& hall) {
+  Mesh wall = makeMesh("door wall", hall.material.ashlar);
+  addDoorWall(wall);
+  Mesh rose = makeMesh("rose", hall.material.dressed);
+  addRose(rose);
+  for (Mesh* mesh : {&wall, &rose}) {
+    hall.builder.place(hall.builder.addMesh(std::move(*mesh)), onEndWall(1.0f, 0.0f));
+  }
 }
 
 }  // namespace
 
 void addEndWalls(Hall& hall) {
-  Mesh windowWall = makeMesh("window wall", hall.material.ashlar);
-  addWindowWall(windowWall);
-  Mesh dressings = makeMesh("great windows", hall.material.dressed);
-  Mesh bars = makeMesh("great windows' bars", hall.material.iron);
-  const glm::mat4 deep = glm::translate(glm::mat4(1.0f), {kHalfWall - kReveal, 0.0f, 0.0f});
-  for (const auto& [opening, z] :
-       {std::pair(kEndWindow, 0.0f), std::pair(kEndSideWindow, kEndSideWindowOffset),
-        std::pair(kEndSideWindow, -kEndSideWindowOffset)}) {
-    Mesh tracery;
-    addTracery(tracery, opening);
-    Mesh glazing;
-    addGlazingBars(glazing, opening);
-    const glm::mat4 shift = glm::translate(glm::mat4(1.0f), {0.0f, 0.0f, z});
-    modelling::addMesh(dressings, tracery, shift * deep);
-    modelling::addMesh(bars, glazing, shift * deep);
-    addShifted(dressings, z,
-               [&dressings, &opening = opening] { addSurround(dressings, opening, opening.sill); });
-  }
-  addBox(dressings, {-0.1f, kEndWindow.sill - 0.14f, -4.5f},
-         {kHalfWall + 0.16f, kEndWindow.sill + 0.03f, 4.5f}, 0.03f);
-  const glm::mat4 identity(1.0f);
-  const glm::vec3 farEnd(0.0f, 0.0f, -kHalfLength - kHalfWall);
-  placeAll(hall, {std::move(windowWall), std::move(dressings), std::move(bars)},
-           glm::rotate(glm::translate(identity, farEnd), -glm::half_pi<float>(), {0, 1, 0}));
-
-  Mesh doorWall = makeMesh("door wall", hall.material.ashlar);
-  addDoorWall(doorWall);
-  Mesh stone = makeMesh("rose and door surround", hall.material.dressed);
-  addRose(stone);
-  addSurround(stone, kDoor, -kSunk);
-  Mesh leaves = makeMesh("doors", hall.material.oak);
-  addDoorLeaves(leaves);
-  Mesh iron = makeMesh("door fittings", hall.material.iron);
-  addDoorIron(iron);
-  placeAll(hall, {std::move(doorWall), std::move(stone), std::move(leaves), std::move(iron)},
-           glm::rotate(glm::translate(identity, -farEnd), glm::half_pi<float>(), {0, 1, 0}));
+  addFarEnd(hall);
+  addNearEnd(hall);
 }
 
 }  // namespace host::hall

@@ -98,7 +98,7 @@ void addBanners(Hall& hall) {
   const int poleIndex = hall.builder.addMesh(std::move(pole));
   constexpr float kHeight = 9.3f;
   constexpr float kReach = 1.12f;  // from the wall to the banner's middle
-  for (const float z : {-7.5f, -2.5f, 2.5f, 7.5f, 12.5f}) {
+  for (const float z : {-7.5f, 2.5f, 12.5f}) {
     for (const float side : {-1.0f, 1.0f}) {  // the pole's free end (-z) turns to the middle of the nave
       const glm::vec3 place(side * (kNaveFace - kReach), kHeight, z);
       const glm::mat4 placed =

@@ -23,6 +23,11 @@ void placeOnBothSides(Hall& hall, int mesh, float x, float z, float y) {
   hall.builder.place(mesh, glm::rotate(glm::translate(identity, {x, y, z}), glm::pi<float>(), {0, 1, 0}));
 }
 
+glm::mat4 onEndWall(float end, float x) {
+  const glm::vec3 middle(x, 0.0f, end * (kHalfLength + kHalfWall));
+  return glm::rotate(glm::translate(glm::mat4(1.0f), middle), end * glm::half_pi<float>(), {0, 1, 0});
+}
+
 void addWall(Mesh& mesh, std::span<const glm::vec2> outline, float thickness) {
   const std::size_t first = mesh.vertices.size();
   modelling::addExtrusion(mesh, outline, thickness);

@@ -62,8 +62,8 @@ Pattern ashlar() {
 }
 
 Pattern floorTiles() {
-  return textures::checker(4, textures::marble({0.84f, 0.79f, 0.7f}, {0.58f, 0.5f, 0.41f}, 0.35f, 11),
-                           textures::marble({0.42f, 0.37f, 0.33f}, {0.62f, 0.56f, 0.5f}, 0.35f, 12),
+  return textures::checker(4, textures::marble({0.86f, 0.79f, 0.68f}, {0.58f, 0.5f, 0.41f}, 0.35f, 11),
+                           textures::marble({0.45f, 0.37f, 0.3f}, {0.65f, 0.57f, 0.48f}, 0.35f, 12),
                            {0.4f, 0.37f, 0.33f});
 }
 
@@ -87,7 +87,7 @@ Materials addMaterials(SceneBuilder& builder) {
   m.shaft =
       add(builder, {"column marble",
                     textures::marble({0.64f, 0.53f, 0.46f}, {0.82f, 0.75f, 0.67f}, 0.35f, 17), 1.6f, 0.3f});
-  m.vault = add(builder, {"vault plaster", textures::plaster({0.9f, 0.87f, 0.8f}, 0.12f, 8), 3.0f, 0.9f});
+  m.vault = add(builder, {"vault plaster", textures::plaster({0.79f, 0.82f, 0.83f}, 0.12f, 8), 3.0f, 0.9f});
   m.paleMarble = add(
       builder,
       {"pale marble", textures::marble({0.92f, 0.9f, 0.86f}, {0.66f, 0.63f, 0.6f}, 0.25f, 9), 1.2f, 0.35f});

@@ -14,6 +14,7 @@ constexpr float kHalfLength = 17.5f;  ///< to the inner faces of the end walls
 // Plan
 constexpr float kArcade = 6.0f;     ///< |x| of the arcades' middle planes
 constexpr float kThickness = 0.9f;  ///< of all walls
+constexpr float kHalfWall = 0.5f * kThickness;
 constexpr float kNaveFace = kArcade - 0.5f * kThickness;
 constexpr float kAisleFace = kArcade + 0.5f * kThickness;
 constexpr float kOuterFace = kAisleFace + 4.0f;  ///< inner face of the outer walls
@@ -21,6 +22,7 @@ constexpr float kOutside = kOuterFace + kThickness;
 constexpr float kArchRadius = 1.95f;  ///< clear, of both storeys' arches
 
 // Section
+constexpr float kFoundation = -0.5f;     ///< how deep the walls reach below the floor
 constexpr float kSpringing = 4.3f;       ///< of the ground-floor arches and aisle vaults
 constexpr float kGallery = 7.2f;         ///< the gallery's floor
 constexpr float kUpperSpringing = 9.4f;  ///< of the gallery's arches

@@ -28,6 +28,9 @@ constexpr float kReveal = 0.55f;  ///< from a wall's inner face to the middle of
 /// Stone frame, two lancets and a ring, +-x being the depth.
 void addTracery(Mesh& mesh, const Opening& opening);
 
+/// Roll mouldings around an opening with an arch, on the wall's inner face, from the height `foot` up.
+void addSurround(Mesh& mesh, const Opening& opening, float foot);
+
 /// Thin bars that hold the (absent) leaded glass.
 void addGlazingBars(Mesh& mesh, const Opening& opening);
 

@@ -37,8 +37,9 @@ struct Hall {
 Materials addMaterials(modelling::SceneBuilder& builder);
 
 void addShell(Hall& hall);     ///< floor, outer walls, roofs
-void addEndWalls(Hall& hall);  ///< with the great windows, the rose and the doors
-void addArcades(Hall& hall);   ///< the walls between nave and aisles, archivolts, cornices
+void addEndWalls(Hall& hall);  ///< with the great windows and the rose
+void addDoors(Hall& hall);
+void addArcades(Hall& hall);  ///< the walls between nave and aisles, archivolts, cornices
 void addColumns(Hall& hall);
 void addVaults(Hall& hall);       ///< webs and ribs over nave and aisles
 void addWindows(Hall& hall);      ///< frames and tracery of the outer walls
@@ -69,6 +70,9 @@ Mesh makeMesh(const char* name, int material);
 
 /// A mesh modelled about a plane x = 0 with +x towards the nave, placed at -x and, turned by half, at +x.
 void placeOnBothSides(Hall& hall, int mesh, float x, float z, float y = 0.0f);
+
+/// The place of a mesh, modelled likewise, on the end wall at -z (`end` = -1) or +z (+1), its middle at `x`.
+glm::mat4 onEndWall(float end, float x);
 
 /// An upright outline (along the wall, height) as a wall that fills |x| <= thickness / 2, +x towards the
 /// nave.

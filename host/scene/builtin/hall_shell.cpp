@@ -11,9 +11,7 @@ namespace {
 using modelling::addBox;
 using modelling::addSweep;
 
-constexpr float kFoundation = -0.5f;
 constexpr int kArchSegments = 16;  // of the windows
-constexpr float kHalfWall = 0.5f * kThickness;
 
 void addFloor(Hall& hall) {
   Mesh floor = makeMesh("floor", hall.material.floor);

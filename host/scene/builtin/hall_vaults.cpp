@@ -72,17 +72,20 @@ void addNaveVault(Hall& hall) {
   Mesh diagonals = makeMesh("nave vault ribs", hall.material.dressed);
   addRib(diagonals, {vault.span.x, 0.0f, vault.span.y}, vault.rise, {0.11f, 0.2f}, 22);
   addRib(diagonals, {vault.span.x, 0.0f, -vault.span.y}, vault.rise, {0.11f, 0.2f}, 22);
-  addBoss(diagonals, vault.rise, 0.42f);
+  Mesh boss = makeMesh("nave vault boss", hall.material.bronze);
+  addBoss(boss, vault.rise, 0.42f);
   Mesh transverse = makeMesh("nave transverse rib", hall.material.dressed);
   addRib(transverse, {vault.span.x, 0.0f, 0.0f}, vault.rise, {0.24f, 0.3f}, 26);
 
   const int websIndex = hall.builder.addMesh(std::move(webs));
   const int diagonalsIndex = hall.builder.addMesh(std::move(diagonals));
+  const int bossIndex = hall.builder.addMesh(std::move(boss));
   const int transverseIndex = hall.builder.addMesh(std::move(transverse));
   const glm::mat4 identity(1.0f);
   for (const float z : kBayCentres) {
-    hall.builder.place(websIndex, glm::translate(identity, {0, kVaultSpringing, z}));
-    hall.builder.place(diagonalsIndex, glm::translate(identity, {0, kVaultSpringing, z}));
+    for (const int part : {websIndex, diagonalsIndex, bossIndex}) {
+      hall.builder.place(part, glm::translate(identity, {0, kVaultSpringing, z}));
+    }
   }
   for (const float z : kColumnLines) {
     hall.builder.place(transverseIndex, glm::translate(identity, {0, kVaultSpringing, z}));
