@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cstdio>
 #include <fmt/format.h>
+#include <iostream>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -20,6 +21,7 @@ constexpr int kDone = 0;
 constexpr int kFailed = 1;
 constexpr int kWrongUsage = 2;
 
+constexpr const char* kFullOutput = "Cannot write to the standard output; is its disk full?";
 constexpr const char* kFooter = R"(
 Examples:
   mres compare hall --size 1080p -o out     speedup and error of multi-resolution SSAO, with pictures
@@ -51,8 +53,7 @@ std::string helpHint(const CLI::App& app) {
 }
 
 void flushOutput() {
-  if (std::fflush(stdout) != 0)
-    throw std::runtime_error("Cannot write to the standard output; is its disk full?");
+  if (std::fflush(stdout) != 0) throw std::runtime_error(kFullOutput);
 }
 
 }  // namespace
@@ -76,7 +77,8 @@ int runCommandLine(int argc, const char* const* argv) {
     flushOutput();
     return kDone;
   } catch (const CLI::Success& request) {
-    return app.exit(request);
+    app.exit(request);
+    return std::cout.flush() ? kDone : fail(kFailed, kFullOutput);
   } catch (const CLI::ParseError& error) {
     return fail(kWrongUsage, fmt::format("{}; {}.", error.what(), helpHint(app)));
   } catch (const UsageError& error) {

@@ -123,7 +123,10 @@ TEST_F(BadInput, OpenGlTooOld) {
 }
 
 TEST_F(BadInput, AFullStandardOutputIsAnError) {
-  EXPECT_EQ(std::system(MRES_EXECUTABLE " --help > /dev/full 2> /dev/null") != 0, true);
+  for (const char* arguments : {"--help", "info"}) {
+    const std::string command = std::string(MRES_EXECUTABLE " ") + arguments + " > /dev/full 2> /dev/null";
+    EXPECT_NE(std::system(command.c_str()), 0) << arguments;
+  }
 }
 
 }  // namespace
