@@ -6,10 +6,11 @@ std::span<const gl::ShaderFile> embeddedShaders();
 
 namespace host {
 
-mres::gl::ShaderLibrary shaderLibrary() {
+mres::gl::ShaderLibrary shaderLibrary(const std::string& directory) {
   mres::gl::ShaderLibrary library;
   library.add(mres::embeddedShaders());
   library.add(embeddedShaders());
+  library.setDirectory(directory);
   return library;
 }
 

@@ -47,7 +47,7 @@ RendererSettings checked(const RendererSettings& settings) {
 struct Renderer::Implementation {
   Implementation(const Scene& scene, mres::gl::Profiler& frameProfiler, const RendererSettings& settings)
       : profiler(frameProfiler),
-        library(shaderLibrary()),
+        library(shaderLibrary(settings.shaderDirectory)),
         gpuScene(scene),
         illumination(scene, library, checked(settings).shadowMapSize),
         gbufferPass(library),
@@ -123,6 +123,14 @@ const glm::mat4& Renderer::projection() const {
 
 GLuint Renderer::shadowMap() const {
   return implementation_->illumination.shadow().map().id();
+}
+
+std::size_t Renderer::lightsLeftOut() const {
+  return implementation_->illumination.lights().leftOut();
+}
+
+float Renderer::exposure() const {
+  return implementation_->exposure;
 }
 
 std::size_t Renderer::gpuBytes() const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "host/renderer/gbuffer_textures.h"
 #include "host/renderer/read_texture.h"
@@ -14,10 +15,11 @@ namespace host {
 struct RendererSettings {
   int shadowMapSize = 2048;           ///< texels, [1, GL_MAX_TEXTURE_SIZE]. Side of the sun's shadow map.
   float exposureCompensation = 0.0f;  ///< stops, [-10, 10]. Brightens the tone-mapped picture.
+  std::string shaderDirectory;  ///< Shader files found below it win over the embedded ones. Empty: none.
 };
 
-/// Renders one scene. Uploads it once; draws any camera at any size. It sets all the OpenGL state that it
-/// needs, and leaves it changed.
+/// Renders one scene. Uploads it once; draws any camera at any size. It sets the OpenGL state that its
+/// passes use, and leaves it changed: the context is the host's own.
 class Renderer {
  public:
   /// `profiler` must outlive the renderer; `scene` need not. Throws std::runtime_error with a sentence if the
@@ -46,6 +48,12 @@ class Renderer {
 
   /// The sun's shadow map: GL_DEPTH_COMPONENT24, one texel for scenes without a sun.
   [[nodiscard]] GLuint shadowMap() const;
+
+  /// Lights that are not drawn, the dimmest ones of a scene that has more than the shaders take.
+  [[nodiscard]] std::size_t lightsLeftOut() const;
+
+  /// The factor on radiance before the tone curve.
+  [[nodiscard]] float exposure() const;
 
   /// Bytes of the scene and of all targets on the GPU.
   [[nodiscard]] std::size_t gpuBytes() const;
