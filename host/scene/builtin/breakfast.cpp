@@ -212,12 +212,12 @@ void addLight(Scene& scene) {
   sun.name = "sun";
   sun.direction = glm::normalize(glm::vec3(0.36f, -0.43f, 0.75f));
   sun.color = {1.0f, 0.9f, 0.76f};
-  sun.intensity = 4.5f;
+  sun.intensity = 3.4f;
   scene.lights.push_back(sun);
   scene.sky.ground = {0.2f, 0.27f, 0.13f};  // lawn
   scene.sky.zenith = {0.3f, 0.5f, 0.88f};
   scene.sky.horizon = {0.8f, 0.87f, 0.93f};
-  scene.ambient = glm::vec3(0.36f);
+  scene.ambient = glm::vec3(0.4f);
 }
 
 void addCameras(Scene& scene) {
@@ -227,7 +227,7 @@ void addCameras(Scene& scene) {
       lookAt("cup and spoon", {0.98f, 1.0f, 0.62f}, {0.5f, 0.79f, 0.28f}, 42.0f),
       lookAt("along the table", {-1.12f, 0.93f, 0.36f}, {0.7f, 0.8f, -0.12f}, 46.0f),
       lookAt("teapot before the window", {0.42f, 0.93f, 0.6f}, {-0.75f, 1.08f, -2.5f}, 44.0f),
-      lookAt("curtain", {0.75f, 1.35f, -1.1f}, {2.3f, 1.3f, -2.5f}, 50.0f),
+      lookAt("curtain", {1.15f, 1.3f, -0.95f}, {2.3f, 1.2f, -2.5f}, 52.0f),
       lookAt("chairs", {1.75f, 0.75f, 1.95f}, {-0.1f, 0.6f, 0.1f}, 48.0f),
       lookAt("sideboard", {0.45f, 1.35f, 0.95f}, {-0.72f, 1.12f, 2.5f}, 52.0f),
   };

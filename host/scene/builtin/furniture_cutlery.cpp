@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
@@ -18,16 +19,15 @@ struct Station {
   float thickness;
 };
 
+// Widths and heights follow a smooth curve; the way along runs straight from station to station, never back.
 Station between(std::span<const Station> stations, float t) {
   std::vector<TubePoint> shape;
-  std::vector<TubePoint> body;
-  for (const Station& s : stations) {
-    shape.push_back({{s.along, s.halfWidth, s.height}, 0.0f});
-    body.push_back({{s.dish, s.thickness, 0.0f}, 0.0f});
-  }
-  const glm::vec3 a = alongCurve(shape, t).position;
-  const glm::vec3 b = alongCurve(body, t).position;
-  return {a.x, std::max(a.y, 0.0f), a.z, b.x, std::max(b.y, 0.0f)};
+  for (const Station& s : stations) shape.push_back({{s.halfWidth, s.height, s.dish}, s.thickness});
+  const TubePoint at = alongCurve(shape, t);
+  const float last = static_cast<float>(stations.size() - 1);
+  const auto i = std::min(static_cast<std::size_t>(t * last), stations.size() - 2);
+  const float along = glm::mix(stations[i].along, stations[i + 1].along, t * last - static_cast<float>(i));
+  return {along, std::max(at.position.x, 0.0f), at.position.y, at.position.z, std::max(at.radius, 0.0f)};
 }
 
 // The closed surface through the stations: a lens-shaped section, dished along its middle.
@@ -36,8 +36,10 @@ void addBlade(Mesh& mesh, std::span<const Station> stations, float length, glm::
     const Station s = between(stations, v);
     const float angle = u * glm::two_pi<float>();
     const float across = std::cos(angle);
+    const float bowl =
+        1.0f - across * across;  // squared: level at the rim, so that the edge keeps its thickness
     const float above = 0.5f * s.thickness * (1.0f + std::sin(angle));
-    const float y = s.height - s.dish * (1.0f - across * across) + above;
+    const float y = s.height - s.dish * bowl * bowl + above;
     return glm::vec3(s.halfWidth * across, y, (s.along - 0.5f) * length);
   };
   modelling::addPatch(mesh, surface, segments);

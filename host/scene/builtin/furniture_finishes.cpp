@@ -102,10 +102,10 @@ void addWoodAndMetalRecipes(Recipes& r) {
   r[Finish::silver] = metal("silver", {0.93f, 0.91f, 0.87f}, 0.22f);
   r[Finish::brass] = metal("brass", {0.86f, 0.76f, 0.56f}, 0.32f);
   r[Finish::paintedSteel] = plain("painted steel", {0.86f, 0.87f, 0.87f}, 0.4f);
-  r[Finish::darkSteel] = plain("dark steel", {0.25f, 0.26f, 0.28f}, 0.45f);
-  r[Finish::blackPlastic] = plain("black plastic", glm::vec3(0.13f), 0.5f);
+  r[Finish::darkSteel] = plain("dark steel", {0.33f, 0.34f, 0.35f}, 0.45f);
+  r[Finish::blackPlastic] = plain("black plastic", glm::vec3(0.22f), 0.5f);
   r[Finish::greyPlastic] = plain("grey plastic", glm::vec3(0.48f), 0.5f);
-  r[Finish::keycap] = plain("keycap", glm::vec3(0.24f), 0.6f);
+  r[Finish::keycap] = plain("keycap", glm::vec3(0.34f), 0.6f);
   r[Finish::blindSlat] = bothSides(plain("blind slat", {0.9f, 0.89f, 0.86f}, 0.4f));
   r[Finish::screen] = glowing(patterned("screen", screenPicture(), {0.5f, 0.3125f}, 0.25f), glm::vec3(1.3f));
   r[Finish::lampGlow] = glowing(plain("lamp glow", glm::vec3(0.95f), 0.6f), {2.2f, 2.1f, 1.9f});
@@ -159,11 +159,11 @@ void addPaperRecipes(Recipes& r) {
   r[Finish::pages] = plain("page edges", {0.87f, 0.83f, 0.73f}, 0.95f);
   r[Finish::cork] = patterned("cork", mottled({0.58f, 0.41f, 0.26f}, {0.75f, 0.58f, 0.4f}, 48, 0.01f, 19),
                               glm::vec2(0.4f), 0.95f, 0.5f);
-  r[Finish::coverRed] = cover("red cover", {0.55f, 0.16f, 0.14f}, 20);
-  r[Finish::coverBlue] = cover("blue cover", {0.16f, 0.26f, 0.42f}, 21);
-  r[Finish::coverGreen] = cover("green cover", {0.2f, 0.36f, 0.26f}, 22);
+  r[Finish::coverRed] = cover("red cover", {0.6f, 0.3f, 0.27f}, 20);
+  r[Finish::coverBlue] = cover("blue cover", {0.31f, 0.39f, 0.5f}, 21);
+  r[Finish::coverGreen] = cover("green cover", {0.34f, 0.46f, 0.38f}, 22);
   r[Finish::coverCream] = cover("cream cover", {0.84f, 0.78f, 0.65f}, 23);
-  r[Finish::coverBlack] = cover("black cover", {0.14f, 0.14f, 0.15f}, 24);
+  r[Finish::coverBlack] = cover("black cover", {0.28f, 0.28f, 0.29f}, 24);
   r[Finish::coverOchre] = cover("ochre cover", {0.76f, 0.52f, 0.2f}, 25);
   r[Finish::picture] = patterned("painting", landscape(), {0.7f, 0.5f}, 0.6f, 0.5f);
 }
@@ -174,10 +174,10 @@ void addLivingRecipes(Recipes& r) {
     return patterned(name, mottled(a, b, 16, 0.01f, seed), glm::vec2(metres), roughness, relief);
   };
   r[Finish::leaf] =
-      bothSides(spotted("leaf", {0.29f, 0.43f, 0.24f}, {0.38f, 0.53f, 0.31f}, 0.2f, 0.45f, 0.0f, 30));
+      bothSides(spotted("leaf", {0.45f, 0.58f, 0.37f}, {0.55f, 0.68f, 0.45f}, 0.2f, 0.6f, 0.0f, 30));
   r[Finish::paleLeaf] =
-      bothSides(spotted("pale leaf", {0.36f, 0.5f, 0.27f}, {0.5f, 0.62f, 0.36f}, 0.12f, 0.55f, 0.0f, 31));
-  r[Finish::stem] = plain("stem", {0.34f, 0.42f, 0.2f}, 0.6f);
+      bothSides(spotted("pale leaf", {0.55f, 0.66f, 0.44f}, {0.64f, 0.74f, 0.52f}, 0.12f, 0.55f, 0.0f, 31));
+  r[Finish::stem] = plain("stem", {0.5f, 0.56f, 0.36f}, 0.6f);
   r[Finish::bark] = spotted("bark", {0.3f, 0.22f, 0.15f}, {0.44f, 0.34f, 0.24f}, 0.1f, 0.9f, 0.0f, 32);
   r[Finish::soil] = spotted("soil", {0.13f, 0.09f, 0.06f}, {0.25f, 0.18f, 0.12f}, 0.08f, 1.0f, 0.8f, 33);
   r[Finish::petal] = bothSides(plain("petal", {0.94f, 0.8f, 0.72f}, 0.7f));

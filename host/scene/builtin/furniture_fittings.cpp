@@ -19,7 +19,7 @@ void addCrumpledBall(Mesh& mesh, glm::vec3 centre, float radius) {
         std::sin(9.0f * p.x + 3.0f * p.y) * std::sin(8.0f * p.y + 5.0f * p.z) * std::sin(7.0f * p.z);
     return centre + p * radius * (1.0f + 0.22f * crease);
   };
-  modelling::addPatch(mesh, ball, {8, 6});
+  modelling::addPatch(mesh, ball, {7, 5});
 }
 
 // A bar of the ceiling's grid from `from` to `to`: its lower face and its flanks; `half` is half its width
@@ -120,10 +120,10 @@ Piece wallClock() {
                                      {kRadius, 0.03f},          {kRadius - 0.008f, 0.035f},
                                      {kRadius - 0.014f, 0.03f}, {kRadius - 0.014f, 0.02f}};
   Mesh& steel = piece.part(Finish::darkSteel);
-  modelling::addLathe(steel, glm::vec3(0.0f), rim, 18);
+  modelling::addLathe(steel, glm::vec3(0.0f), rim, 15);
   Mesh& face = piece.part(Finish::whiteLacquer);
   const std::array<glm::vec2, 2> dial{glm::vec2(kRadius - 0.013f, 0.021f), {0.0f, 0.021f}};
-  modelling::addLathe(face, glm::vec3(0.0f), dial, 18);
+  modelling::addLathe(face, glm::vec3(0.0f), dial, 15);
   aimFrom(steel, 0, {0, 0, 1}, glm::vec3(0.0f));
   aimFrom(face, 0, {0, 0, 1}, glm::vec3(0.0f));
   const auto hand = [&](float degrees, glm::vec2 low, glm::vec2 high, float z) {

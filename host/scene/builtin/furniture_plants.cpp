@@ -1,5 +1,6 @@
 #include "host/scene/builtin/furniture_plants.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
@@ -20,10 +21,12 @@ Mesh leafMesh(glm::vec2 size, float arch, glm::ivec2 segments) {
   Mesh mesh;
   const auto blade = [&](float u, float v) {
     const float across = 2.0f * u - 1.0f;
-    const float outline = std::pow(std::sin(glm::pi<float>() * std::pow(v, 0.8f)), 0.8f);
+    // Blunt at both ends: a point would leave its normals undefined.
+    const float outline = std::max(std::sin(glm::pi<float>() * std::pow(v, 0.8f)), 0.04f);
     const float x = across * 0.5f * size.x * outline;
     const float fold = 0.35f * std::abs(x);
-    const float ripple = 0.04f * size.x * across * across * std::sin(14.0f * v + 2.0f * across);
+    const float ripple =
+        0.04f * size.x * outline * outline * across * across * std::sin(14.0f * v + 2.0f * across);
     return glm::vec3(-x, fold + ripple - arch * v * v, size.y * (v - 0.25f * arch * v * v));
   };
   modelling::addPatch(mesh, blade, segments);

@@ -162,12 +162,8 @@ Piece teapot() {
       {{-0.118f, 0.081f, 0}, 0.014f},         {{-0.131f, 0.108f, 0}, 0.011f},
       {{-0.148f, 0.126f, 0}, 0.0098f},        {{-0.1575f, 0.1305f, 0}, 0.0104f}};
   addTube(china, spout, {20, 30});
-  // The inside of the spout's lip, turned inwards so that one looks into it and not through it.
-  const std::array<TubePoint, 4> lip{TubePoint{{-0.1575f, 0.1305f, 0}, 0.0104f},
-                                     {{-0.158f, 0.1307f, 0}, 0.0085f},
-                                     {{-0.15f, 0.127f, 0}, 0.008f},
-                                     {{-0.136f, 0.113f, 0}, 0.001f}};
-  addTube(china, lip, {20, 8});
+  // Tea stands just below the spout's lip.
+  addRod(pot.part(Finish::tea), {-0.152f, 0.1277f, 0.0f}, {-0.1568f, 0.1302f, 0.0f}, 0.0101f, 20);
   return pot;
 }
 

@@ -130,7 +130,7 @@ void addPlantsAndBin(Interior& room) {
   PlantShape plant;
   plant.height = 1.5f;
   plant.stems = 5;
-  plant.leavesPerStem = 7;
+  plant.leavesPerStem = 6;
   plant.leafLength = 0.24f;
   plant.leafWidth = 0.11f;
   plant.leafSegments = {2, 3};
@@ -155,10 +155,10 @@ void addLight(Scene& scene) {
   sun.name = "sun";
   sun.direction = glm::normalize(glm::vec3(-0.42f, -0.6f, 0.68f));
   sun.color = {1.0f, 0.94f, 0.85f};
-  sun.intensity = 4.0f;
+  sun.intensity = 3.2f;
   scene.lights.push_back(sun);
   scene.sky.ground = {0.3f, 0.3f, 0.29f};
-  scene.ambient = glm::vec3(0.36f);
+  scene.ambient = glm::vec3(0.4f);
 }
 
 void addCameras(Scene& scene) {
@@ -170,7 +170,7 @@ void addCameras(Scene& scene) {
       lookAt("chair", {0.95f, 0.75f, 0.95f}, {-0.45f, 0.5f, -0.1f}, 46.0f),
       lookAt("blinds", {-0.45f, 1.4f, -1.75f}, {0.25f, 1.45f, -3.0f}, 56.0f),
       lookAt("keyboard and mug", {-0.55f, 1.12f, 0.42f}, {-1.12f, 0.76f, 0.02f}, 45.0f),
-      lookAt("manager's desk", {0.6f, 1.25f, 0.35f}, {2.3f, 0.85f, -1.6f}, 50.0f),
+      lookAt("manager's desk", {3.5f, 1.4f, 0.25f}, {1.75f, 0.82f, -1.75f}, 50.0f),
   };
 }
 
