@@ -15,7 +15,7 @@ namespace host {
 struct RendererSettings {
   int shadowMapSize = 2048;           ///< texels, [1, GL_MAX_TEXTURE_SIZE]. Side of the sun's shadow map.
   float exposureCompensation = 0.0f;  ///< stops, [-10, 10]. Brightens the tone-mapped picture.
-  std::string shaderDirectory;  ///< Shader files found below it win over the embedded ones. Empty: none.
+  std::string shaderDirectory{};  ///< Shader files found below it win over the embedded ones. Empty: none.
 };
 
 /// Renders one scene. Uploads it once; draws any camera at any size. It sets the OpenGL state that its
