@@ -5,13 +5,16 @@
 #ifdef __cplusplus
 #include <glm/glm.hpp>
 
+// No line continuations here: GLSL has them from version 4.20 on only.
+namespace mres::params {
+using glm::ivec2;
+using glm::mat4;
+using glm::vec2;
+using glm::vec4;
+}  // namespace mres::params
+
 #define UNIFORM_BLOCK(Name) struct alignas(16) Name
-#define BEGIN_PARAMS       \
-  namespace mres::params { \
-  using glm::ivec2;        \
-  using glm::mat4;         \
-  using glm::vec2;         \
-  using glm::vec4;
+#define BEGIN_PARAMS namespace mres::params {
 #define END_PARAMS }
 #else
 #define UNIFORM_BLOCK(Name) layout(std140) uniform Name
