@@ -9,6 +9,7 @@
 #include "host/renderer/read_texture.h"
 #include "host/scene/scene.h"
 #include "mres/gl/profiler.h"
+#include "mres/settings.h"
 
 namespace host {
 
@@ -17,6 +18,12 @@ struct RendererSettings {
   float exposureCompensation = 0.0f;  ///< stops, [-10, 10]. Brightens the tone-mapped picture.
   std::string shaderDirectory{};  ///< Shader files found below it win over the embedded ones. Empty: none.
 };
+
+template <class Visitor>
+void visit(RendererSettings& settings, Visitor&& visitor) {
+  visitor("exposureCompensation", settings.exposureCompensation,
+          mres::SettingInfo{"stops", -10.0, 10.0, "Brightens the tone-mapped picture."});
+}
 
 /// Renders one scene. Uploads it once; draws any camera at any size. It sets the OpenGL state that its
 /// passes use, and leaves it changed: the context is the host's own.
