@@ -40,7 +40,7 @@ struct Leaf {
   float bottom;  ///< where it leaves the bell
 
   /// The midrib: (distance from the axis, height).
-  glm::vec2 midrib(float along) const {
+  [[nodiscard]] glm::vec2 midrib(float along) const {
     constexpr float kTop = 0.8f;  // where the tip begins to droop
     const float rise = std::sin(along / kTop * glm::half_pi<float>());
     const float y = bottom + height * rise;
@@ -48,7 +48,7 @@ struct Leaf {
   }
 
   /// `behind` metres behind the leaf's front, 0 at its border.
-  glm::vec3 at(float across, float along, float behind) const {
+  [[nodiscard]] glm::vec3 at(float across, float along, float behind) const {
     constexpr float kStep = 0.01f;
     const glm::vec2 growth = glm::normalize(midrib(along + kStep) - midrib(along - kStep));
     const glm::vec2 front(growth.y, -growth.x);

@@ -118,6 +118,7 @@ void addUrn(Mesh& mesh, glm::vec3 base, float height) {
       {0.2f, 0.72f},  {0.17f, 0.77f},  {0.19f, 0.83f}, {0.28f, 0.88f}, {0.28f, 0.91f}, {0.22f, 0.925f},
       {0.1f, 0.95f},  {0.05f, 0.97f},  {0.06f, 1.0f},  {0.0f, 1.02f}};
   std::vector<glm::vec2> profile;
+  profile.reserve(unit.size());
   for (const glm::vec2 point : unit) profile.push_back(height * point);
   modelling::addLathe(mesh, base, profile, 12, 50.0f);
 }

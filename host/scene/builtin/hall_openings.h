@@ -12,7 +12,7 @@ struct Opening {
   float springing;
   float halfWidth;
 
-  constexpr float crown() const { return springing + halfWidth; }
+  [[nodiscard]] constexpr float crown() const { return springing + halfWidth; }
 };
 
 constexpr Opening kAisleWindow{1.5f, 4.15f, 1.0f};

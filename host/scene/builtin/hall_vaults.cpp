@@ -19,13 +19,13 @@ struct GroinVault {
 
   /// On one of the two webs that follow the barrel along z: `across` -1..1 from groin to groin, `out` 0..1
   /// from the crown to the edge at +z (`side` +1) or -z.
-  glm::vec3 alongNave(float across, float out, float side) const {
+  [[nodiscard]] glm::vec3 alongNave(float across, float out, float side) const {
     const float groin = out * glm::half_pi<float>();
     return {span.x * std::sin(across * groin), rise * std::cos(across * groin),
             side * span.y * std::sin(groin)};
   }
   /// The same for the barrel along x.
-  glm::vec3 acrossNave(float across, float out, float side) const {
+  [[nodiscard]] glm::vec3 acrossNave(float across, float out, float side) const {
     const float groin = out * glm::half_pi<float>();
     return {side * span.x * std::sin(groin), rise * std::cos(across * groin),
             span.y * std::sin(across * groin)};
@@ -61,6 +61,7 @@ void addBoss(Mesh& mesh, float y, float radius) {
                                        {0.06f, -0.22f}, {0.18f, -0.19f}, {0.24f, -0.12f},
                                        {0.2f, -0.06f},  {0.3f, -0.02f},  {0.3f, 0.04f}};
   std::vector<glm::vec2> scaled;
+  scaled.reserve(profile.size());
   for (const glm::vec2 point : profile) scaled.push_back(point * (radius / 0.3f));
   modelling::addLathe(mesh, {0, y, 0}, scaled, 16);
 }

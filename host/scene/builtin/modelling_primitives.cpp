@@ -27,7 +27,7 @@ struct BevelledBox {
   float bevel;
 
   /// The corner of octant `sign` on the face of `normal`.
-  glm::vec3 corner(glm::vec3 sign, glm::vec3 normal) const {
+  [[nodiscard]] glm::vec3 corner(glm::vec3 sign, glm::vec3 normal) const {
     const glm::vec3 inset = bevel * (glm::vec3(1.0f) - glm::abs(normal));
     return centre + sign * (half - inset);
   }

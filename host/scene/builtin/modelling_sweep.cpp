@@ -14,7 +14,7 @@ namespace {
 /// The frame of one straight piece of the path.
 struct Frame {
   glm::vec3 right, up, along;
-  glm::vec3 plane(glm::vec2 p) const { return p.x * right + p.y * up; }
+  [[nodiscard]] glm::vec3 plane(glm::vec2 p) const { return p.x * right + p.y * up; }
 };
 
 Frame startFrame(glm::vec3 along, glm::vec3 up) {
@@ -43,19 +43,19 @@ class Path {
     }
   }
 
-  int pieces() const { return pieces_; }
-  glm::vec3 point(int i) const { return points_[static_cast<std::size_t>(i) % points_.size()]; }
-  const Frame& frame(int piece) const { return frames_[wrap(piece)]; }
+  [[nodiscard]] int pieces() const { return pieces_; }
+  [[nodiscard]] glm::vec3 point(int i) const { return points_[static_cast<std::size_t>(i) % points_.size()]; }
+  [[nodiscard]] const Frame& frame(int piece) const { return frames_[wrap(piece)]; }
 
   /// Whether two pieces meet at the start of `piece`, at a corner or smoothly.
-  bool meets(int piece) const { return closed_ || (piece > 0 && piece < pieces_); }
-  bool smoothAt(int piece) const {
+  [[nodiscard]] bool meets(int piece) const { return closed_ || (piece > 0 && piece < pieces_); }
+  [[nodiscard]] bool smoothAt(int piece) const {
     return meets(piece) && glm::dot(frame(piece - 1).along, frame(piece).along) >= creaseCosine_;
   }
 
   /// The cross-section's point `p` at the start of `piece`, where the mitre plane of the corner cuts the
   /// sweep.
-  glm::vec3 mitred(int piece, glm::vec2 p) const {
+  [[nodiscard]] glm::vec3 mitred(int piece, glm::vec2 p) const {
     const Frame& here = frame(meets(piece) ? piece : std::clamp(piece, 0, pieces_ - 1));
     const glm::vec3 offset = here.plane(p);
     if (!meets(piece)) return point(piece) + offset;
@@ -64,7 +64,7 @@ class Path {
   }
 
   /// Pieces between two creases: first and last, both included.
-  std::vector<glm::ivec2> smoothStretches() const {
+  [[nodiscard]] std::vector<glm::ivec2> smoothStretches() const {
     int first = 0;
     while (closed_ && first < pieces_ && smoothAt(first)) ++first;
     std::vector<glm::ivec2> stretches;
@@ -77,7 +77,7 @@ class Path {
   }
 
  private:
-  std::size_t wrap(int piece) const {
+  [[nodiscard]] std::size_t wrap(int piece) const {
     return static_cast<std::size_t>((piece % pieces_ + pieces_) % pieces_);
   }
 

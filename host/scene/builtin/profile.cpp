@@ -27,21 +27,21 @@ class Segments {
         creaseCosine_(std::cos(glm::radians(creaseDegrees))),
         count_(static_cast<int>(corners_.size()) - (closed ? 0 : 1)) {}
 
-  int count() const { return count_; }
-  glm::vec2 start(int segment) const { return corners_[wrap(segment)]; }
-  glm::vec2 end(int segment) const { return corners_[(wrap(segment) + 1) % corners_.size()]; }
-  float length(int segment) const { return glm::distance(start(segment), end(segment)); }
-  glm::vec2 normal(int segment) const {
+  [[nodiscard]] int count() const { return count_; }
+  [[nodiscard]] glm::vec2 start(int segment) const { return corners_[wrap(segment)]; }
+  [[nodiscard]] glm::vec2 end(int segment) const { return corners_[(wrap(segment) + 1) % corners_.size()]; }
+  [[nodiscard]] float length(int segment) const { return glm::distance(start(segment), end(segment)); }
+  [[nodiscard]] glm::vec2 normal(int segment) const {
     const glm::vec2 along = (end(segment) - start(segment)) / length(segment);
     return {along.y, -along.x};
   }
   /// Whether segment i and the one before it meet smoothly.
-  bool smoothBefore(int segment) const {
+  [[nodiscard]] bool smoothBefore(int segment) const {
     if (!closed_ && (segment <= 0 || segment >= count_)) return false;
     return glm::dot(normal(segment - 1), normal(segment)) >= creaseCosine_;
   }
   /// A segment to start with, so that no run is cut in two by the wrap-around.
-  int firstSegment() const {
+  [[nodiscard]] int firstSegment() const {
     for (int i = 0; closed_ && i < count_; ++i) {
       if (!smoothBefore(i)) return i;
     }
@@ -49,7 +49,7 @@ class Segments {
   }
 
  private:
-  int wrap(int segment) const { return (segment % count_ + count_) % count_; }
+  [[nodiscard]] int wrap(int segment) const { return (segment % count_ + count_) % count_; }
 
   std::vector<glm::vec2> corners_;
   bool closed_;

@@ -29,7 +29,7 @@ glm::vec3 columnDirection(std::span<const GridPoint> points, int columns, int ro
         points[nearRow * columns + right].position - points[nearRow * columns + left].position;
     if (glm::length(along) > kCoincident) return along;
   }
-  return glm::vec3(1.0f, 0.0f, 0.0f);
+  return {1.0f, 0.0f, 0.0f};
 }
 
 }  // namespace
