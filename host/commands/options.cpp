@@ -64,6 +64,9 @@ SettingsTable settingsTable(PictureSettings& settings) {
   SettingsTable table;
   table.add(settings.ssao);
   table.add(settings.mask);
+  for (std::size_t level = 0; level < settings.ssao.levels.size(); ++level)
+    table.add(settings.ssao.levels[level], fmt::format("level{}.", level));
+  table.add(settings.renderer);
   return table;
 }
 

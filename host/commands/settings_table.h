@@ -15,10 +15,12 @@ namespace host {
 /// place that --set, --help and the report read. The structs must outlive the table.
 class SettingsTable {
  public:
+  /// The names of the settings get `prefix` in front.
   template <class Settings>
-  void add(Settings& settings) {
-    visit(settings,
-          [this](const char* name, auto& member, const mres::SettingInfo& info) { add(name, member, info); });
+  void add(Settings& settings, const std::string& prefix = "") {
+    visit(settings, [&](const char* name, auto& member, const mres::SettingInfo& info) {
+      addSetting(prefix + name, member, info);
+    });
   }
 
   /// Throws UsageError with a sentence for an unknown key (with those that are near), or a value out of
@@ -41,7 +43,7 @@ class SettingsTable {
   };
 
   template <class Value>
-  void add(const char* name, Value& member, const mres::SettingInfo& info) {
+  void addSetting(const std::string& name, Value& member, const mres::SettingInfo& info) {
     entries_.push_back({name, info, std::is_integral_v<Value>,
                         [&member](double value) { member = static_cast<Value>(value); },
                         [&member] { return toJsonValue(member); }});

@@ -71,7 +71,15 @@ TEST_F(Settings, OnlyWholeFiniteNumbersAreNumbers) {
 
 TEST_F(Settings, AnUnknownNameListsTheNearOnes) {
   EXPECT_THAT(messageOf("radios=1"), HasSubstr("did you mean radius?"));
-  EXPECT_THAT(messageOf("colour=1"), HasSubstr("there are radius, samples, filter"));
+  EXPECT_THAT(messageOf("colour=1"), HasSubstr("use one of radius, samples, filter."));
+}
+
+TEST_F(Settings, OfSeveralStructsOfOneKindAreToldApartByAPrefix) {
+  Example second;
+  table_.add(second, "second.");
+  table_.set(parseAssignment("second.samples=3"));
+  EXPECT_EQ(second.samples, 3);
+  EXPECT_EQ(example_.samples, 64);
 }
 
 TEST_F(Settings, AssignmentsNeedBothSides) {
