@@ -60,6 +60,7 @@ Bounds focusOf(const TriangleGrid& grid, const SurfaceSampler& sampler) {
   Bounds focus = grid.bounds();
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<float> values;
+    values.reserve(kSamples);
     for (int i = 0; i < kSamples; ++i) values.push_back(sampler.sample(i).position[axis]);
     std::sort(values.begin(), values.end());
     const float low = values[kCut];

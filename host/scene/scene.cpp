@@ -126,6 +126,7 @@ Scene loadScene(const std::string& nameOrPath) {
 const std::vector<std::string>& builtinSceneNames() {
   static const std::vector<std::string> kNames = [] {
     std::vector<std::string> names;
+    names.reserve(kBuiltinScenes.size());
     for (const BuiltinScene& builtin : kBuiltinScenes) names.emplace_back(builtin.name);
     return names;
   }();

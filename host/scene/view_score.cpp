@@ -68,7 +68,7 @@ float viewScore(const TriangleGrid& grid, const Camera& camera, float reach) {
     return distances[std::size_t(share * float(distances.size() - 1))];
   };
 
-  const float rays = float(kRays.x * kRays.y);
+  const auto rays = float(kRays.x * kRays.y);
   const float coverage = ramp(float(distances.size()) / rays, 0.05f, 0.4f);
   const float solidity = 1.0f - ramp(float(backFaces) / float(distances.size()), 0.02f, 0.15f);
   const float shape = 0.15f + 0.85f * ramp(edgeShare(hits), 0.05f, 0.45f);

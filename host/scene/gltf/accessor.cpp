@@ -147,7 +147,7 @@ void Accessor::readSparse(const Document& document, const tinygltf::Accessor& so
       sparse.values.byteOffset < 0 || !isUnsignedType(sparse.indices.componentType)) {
     fail("its sparse data are invalid");
   }
-  const std::size_t count = std::size_t(sparse.count);
+  const auto count = std::size_t(sparse.count);
   const Elements indices =
       elementsOf(document, sparse.indices.bufferView, std::size_t(sparse.indices.byteOffset), count,
                  sizeOfComponent(sparse.indices.componentType));
