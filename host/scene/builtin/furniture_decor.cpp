@@ -11,7 +11,7 @@ namespace host::furniture {
 namespace {
 
 constexpr float kBevel = 0.0016f;
-constexpr float kJointDepth = 0.0006f;  // flat bevels: steep ones would only flicker from afar
+constexpr float kJointDepth = 0.0003f;  // flat bevels: steep ones would only flicker from afar
 
 // The upper face of one block and its four bevels down into the joints, lying along +X with a corner at the
 // origin.

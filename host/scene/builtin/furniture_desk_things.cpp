@@ -167,8 +167,9 @@ Piece telephone() {
   modelling::addSweep(plastic, modelling::rectangleOutline(0.026f, 0.022f), handset);
   for (const float z : {-0.085f, 0.085f}) addBlock(plastic, {-0.055f, 0.034f, z}, {0.042f, 0.035f, 0.042f});
   for (int key = 0; key < 12; ++key) {
+    const int keyRow = key / 3;
     const auto column = static_cast<float>(key % 3);
-    const auto row = static_cast<float>(key / 3);
+    const auto row = static_cast<float>(keyRow);
     const float z = -0.02f + 0.022f * row;
     const float slope = 0.055f - 0.037f / 0.16f * (z + 0.06f);
     addBlock(piece.part(Finish::greyPlastic), {0.012f + 0.024f * column, slope - 0.004f, z},

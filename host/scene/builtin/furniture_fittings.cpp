@@ -95,8 +95,9 @@ Piece pinBoard(glm::vec2 size, std::uint32_t seed) {
   constexpr int kColumns = 4;
   constexpr int kRows = 2;
   for (int i = 0; i < kColumns * kRows; ++i) {
-    const glm::vec2 cell((static_cast<float>(i % kColumns) + 0.5f) / kColumns - 0.5f,
-                         (static_cast<float>(i / kColumns) + 0.5f) / kRows - 0.5f);
+    const int row = i / kColumns;
+    const glm::vec2 place(i % kColumns, row);
+    const glm::vec2 cell = (place + 0.5f) / glm::vec2(kColumns, kRows) - 0.5f;
     const glm::vec2 middle =
         cell * size + glm::vec2(random.between(-0.02f, 0.02f), random.between(-0.02f, 0.02f));
     const bool sheet = notes[i % 4] == Finish::paper;

@@ -144,7 +144,7 @@ void addPlantsAndBin(Interior& room) {
   plant.stems = 4;
   plant.leavesPerStem = 5;
   plant.leafLength = 0.1f;
-  plant.leafWidth = 0.035f;
+  plant.leafWidth = 0.055f;
   plant.seed = 5;
   room.place(pottedPlant(plant), at({0.5f, kSill + 0.025f, -kSouth + 0.01f}));
   room.place(wasteBasket(), at({-0.28f, 0.0f, -2.35f}));
@@ -157,7 +157,7 @@ void addLight(Scene& scene) {
   sun.color = {1.0f, 0.94f, 0.85f};
   sun.intensity = 3.2f;
   scene.lights.push_back(sun);
-  scene.sky.ground = {0.3f, 0.3f, 0.29f};
+  scene.sky.ground = {0.42f, 0.45f, 0.47f};  // haze over the town
   scene.ambient = glm::vec3(0.4f);
 }
 
