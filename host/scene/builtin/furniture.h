@@ -36,8 +36,8 @@ class Piece {
   /// Merges a copy of `other`.
   void add(const Piece& other, const glm::mat4& transform);
 
-  const std::string& name() const { return name_; }
-  const std::map<Finish, Mesh>& parts() const { return parts_; }
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] const std::map<Finish, Mesh>& parts() const { return parts_; }
 
  private:
   std::string name_;

@@ -21,7 +21,7 @@ class Folds {
   }
 
   /// u from left to right, v from the hem up.
-  glm::vec3 at(float u, float v) const {
+  [[nodiscard]] glm::vec3 at(float u, float v) const {
     const float down = 1.0f - v;
     const float phase = phaseAt(u) + 0.35f * down * std::sin(drift_.x + 5.0f * u + 2.0f * down);
     const float depth = shape_.foldDepth * (0.55f + 0.45f * std::sqrt(down)) *
@@ -35,7 +35,7 @@ class Folds {
 
  private:
   // Folds of uneven width: the phase runs through the jittered borders.
-  float phaseAt(float u) const {
+  [[nodiscard]] float phaseAt(float u) const {
     const float scaled = u * static_cast<float>(shape_.folds);
     const int i = std::min(static_cast<int>(scaled), shape_.folds - 1);
     const float f = scaled - static_cast<float>(i);
@@ -45,7 +45,7 @@ class Folds {
   }
 
   // How much of its width the curtain keeps: all at the top, less at the tie-back, more again below.
-  float waist(float v) const {
+  [[nodiscard]] float waist(float v) const {
     constexpr float kTieHeight = 0.38f;
     const float distance = (v - kTieHeight) / (v > kTieHeight ? 0.42f : 0.3f);
     return 1.0f - shape_.gather * std::exp(-distance * distance * 2.2f);

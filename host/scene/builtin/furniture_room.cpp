@@ -36,10 +36,10 @@ class WallGrid {
         x_(cuts(openings, 0, wall.length)),
         y_(cuts(openings, 1, wall.height)) {}
 
-  int columns() const { return static_cast<int>(x_.size()) - 1; }
-  int rows() const { return static_cast<int>(y_.size()) - 1; }
+  [[nodiscard]] int columns() const { return static_cast<int>(x_.size()) - 1; }
+  [[nodiscard]] int rows() const { return static_cast<int>(y_.size()) - 1; }
 
-  bool isSolid(int column, int row) const {
+  [[nodiscard]] bool isSolid(int column, int row) const {
     if (column < 0 || row < 0 || column >= columns() || row >= rows()) return true;
     const float x = 0.5f * (x_[column] + x_[column + 1]);
     const float y = 0.5f * (y_[row] + y_[row + 1]);
@@ -48,18 +48,18 @@ class WallGrid {
     });
   }
 
-  glm::vec3 inner(int column, int row) const {
+  [[nodiscard]] glm::vec3 inner(int column, int row) const {
     return wall_.start + wall_.along * x_[column] + kUp * y_[row];
   }
 
-  glm::vec3 outer(int column, int row) const {
+  [[nodiscard]] glm::vec3 outer(int column, int row) const {
     float x = x_[column];
     if (column == 0) x -= wall_.thickness;
     if (column == columns()) x += wall_.thickness;
     return wall_.start + wall_.along * x + kUp * y_[row] + outwards();
   }
 
-  glm::vec3 outwards() const { return glm::cross(wall_.along, kUp) * wall_.thickness; }
+  [[nodiscard]] glm::vec3 outwards() const { return glm::cross(wall_.along, kUp) * wall_.thickness; }
 
  private:
   Wall wall_;
