@@ -207,7 +207,7 @@ void addPlants(Interior& room) {
 }
 
 void addLight(Scene& scene) {
-  // A low sun in the north-west-facing windows of a southern morning: 27 degrees high, it reaches the table.
+  // A low morning sun, 27 degrees high: through the windows to -Z it just reaches the table.
   Light sun;
   sun.name = "sun";
   sun.direction = glm::normalize(glm::vec3(0.36f, -0.43f, 0.75f));
