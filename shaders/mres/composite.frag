@@ -35,7 +35,8 @@ void main() {
 #if REFINABLE
     refine = largest(abs(value - coarser)) > refineThreshold ? 1.0 : 0.0;
 #endif
-    value = value * alpha + coarser * (1.0 - alpha);
+    // So written that neither equal values nor a full weight round.
+    if (alpha < 1.0) value = coarser + (value - coarser) * alpha;
 #endif
     fragment = vec4(0.0, 0.0, 0.0, 1.0);
     VALUE(fragment) = value;

@@ -22,28 +22,30 @@ vec3 filterPosition(ivec2 levelPixel, float filterDepth) {
 }
 
 void addTap(ivec2 levelPixel, float kernelWeight, vec3 planeNormal, float planeOffset, float tolerance,
-            inout Value sum, inout float weightSum) {
+            Value centre, inout Value sum, inout float weightSum) {
     ivec2 inside = clamp(levelPixel, ivec2(0), levelSize - 1);
     vec4 texel = texelFetch(levelTexture, inside, 0);
     float offPlane = abs(dot(planeNormal, filterPosition(inside, FILTER_DEPTH(texel))) - planeOffset);
     // Written so that a NaN (no normal, no surface) ends in no weight.
     if (FILTER_DEPTH(texel) <= 0.0 || !(offPlane < 2.0 * tolerance)) return;
     float trust = min(2.0 - offPlane / tolerance, 1.0);
-    sum += VALUE(texel) * (kernelWeight * trust);
+    sum += (VALUE(texel) - centre) * (kernelWeight * trust);
     weightSum += kernelWeight * trust;
 }
 
-// Filters along `axis` around a pixel of this level; `centre` is that pixel's texel.
+// Filters along `axis` around a pixel of this level; `centre` is that pixel's texel. Sums differences, so that equal
+// values stay what they are, to the last bit.
 Value filterAlong(ivec2 axis, ivec2 levelPixel, vec4 centre) {
     vec3 normal = viewNormal(representativePixel(levelPixel, size));
     vec3 position = filterPosition(levelPixel, FILTER_DEPTH(centre));
     float planeOffset = dot(normal, position);
     float tolerance = filterTolerance * -position.z;
-    Value sum = VALUE(centre) * 0.25;
+    Value value = VALUE(centre);
+    Value sum = Value(0.0);
     float weightSum = 0.25;
-    addTap(levelPixel - 2 * axis, 0.125, normal, planeOffset, tolerance, sum, weightSum);
-    addTap(levelPixel - axis, 0.25, normal, planeOffset, tolerance, sum, weightSum);
-    addTap(levelPixel + axis, 0.25, normal, planeOffset, tolerance, sum, weightSum);
-    addTap(levelPixel + 2 * axis, 0.125, normal, planeOffset, tolerance, sum, weightSum);
-    return sum / weightSum;
+    addTap(levelPixel - 2 * axis, 0.125, normal, planeOffset, tolerance, value, sum, weightSum);
+    addTap(levelPixel - axis, 0.25, normal, planeOffset, tolerance, value, sum, weightSum);
+    addTap(levelPixel + axis, 0.25, normal, planeOffset, tolerance, value, sum, weightSum);
+    addTap(levelPixel + 2 * axis, 0.125, normal, planeOffset, tolerance, value, sum, weightSum);
+    return value + sum / weightSum;
 }
