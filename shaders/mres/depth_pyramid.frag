@@ -7,7 +7,11 @@ uniform int pyramidLevel;
 
 out float fragment;
 
+// Nothing is behind it, and squares of it are still finite.
+const float kBackgroundViewDepth = 1e18;
+
 void main() {
     ivec2 fullPixel = ivec2(gl_FragCoord.xy) * (1 << pyramidLevel) + ((1 << pyramidLevel) >> 1);
-    fragment = viewDepthOf(texelFetch(depthTexture, min(fullPixel, size - 1), 0).r);
+    float windowDepth = texelFetch(depthTexture, min(fullPixel, size - 1), 0).r;
+    fragment = windowDepth == backgroundDepth ? kBackgroundViewDepth : viewDepthOf(windowDepth);
 }
