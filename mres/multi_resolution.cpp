@@ -4,7 +4,10 @@
 #include <optional>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "mres/composite/composite_pass.h"
 #include "mres/debug/debug_view_pass.h"
@@ -39,8 +42,8 @@ struct SharedPasses {
 
 /// The passes of one effect.
 struct EffectPasses {
-  EffectPasses(const gl::ShaderLibrary& library, Effect& owner)
-      : effect(library, owner), composite(library, owner.description()) {}
+  EffectPasses(const gl::ShaderLibrary& library, const EffectDescription& description)
+      : effect(library, description), composite(library, description) {}
 
   EffectPass effect;
   CompositePass composite;
@@ -58,6 +61,7 @@ struct MultiResolution::Implementation {
 
   GLuint render(Effect& effect, const Frame& frame);
   GLuint debugView(DebugView view);
+  void reloadShaders();
   EffectPasses& passesOf(Effect& effect);
   void bindFrame(const Frame& frame, const params::FrameParams& params);
   void uploadLevels(EffectPass& effect, glm::ivec2 fullSize);
@@ -72,7 +76,7 @@ struct MultiResolution::Implementation {
   PassContext context;
   gl::UniformBuffer<params::FrameParams> frameBlock;
   std::optional<SharedPasses> shared;
-  std::map<std::string_view, EffectPasses> effects;
+  std::map<std::string, EffectPasses, std::less<>> effects;
   std::optional<DebugViewPass> debugViewPass;
   CoverageQueries coverage;
   LevelPlan plan;
@@ -80,9 +84,13 @@ struct MultiResolution::Implementation {
 };
 
 EffectPasses& MultiResolution::Implementation::passesOf(Effect& effect) {
-  const std::string_view name = effect.description().name;
-  if (const auto found = effects.find(name); found != effects.end()) return found->second;
-  return effects.try_emplace(name, context.library, effect).first->second;
+  const EffectDescription& description = effect.description();
+  auto found = effects.find(std::string_view(description.name));
+  if (found == effects.end()) {
+    found = effects.try_emplace(description.name, context.library, description).first;
+  }
+  found->second.effect.setUp(effect);
+  return found->second;
 }
 
 void MultiResolution::Implementation::bindFrame(const Frame& frame, const params::FrameParams& params) {
@@ -177,9 +185,30 @@ GLuint MultiResolution::Implementation::debugView(DebugView view) {
   if (!debugViewPass) debugViewPass.emplace(context.library);
   const glm::ivec2 size = plan.levels.front().size;
   const bool levels = view == DebugView::levels;
-  return (levels ? debugViewPass->drawLevels(context, shared->masks, plan)
-                 : debugViewPass->drawEdges(context, shared->edges.edges(), size))
-      .id();
+  if (levels) return debugViewPass->drawLevels(context, shared->masks, plan).id();
+  const bool hasEdges = plan.levels.size() > 1;
+  return debugViewPass->drawEdges(context, hasEdges ? &shared->edges.edges() : nullptr, size).id();
+}
+
+void MultiResolution::Implementation::reloadShaders() {
+  // Everything is compiled before anything is replaced.
+  SharedPasses newShared(context.library);
+  DebugViewPass newDebugView(context.library);
+  std::vector<std::pair<gl::Program, CompositePass>> newEffects;
+  for (const auto& [name, passes] : effects) {
+    newEffects.emplace_back(passes.effect.compile(context.library),
+                            CompositePass(context.library, passes.effect.effect()));
+  }
+
+  shared.emplace(std::move(newShared));
+  debugViewPass.emplace(std::move(newDebugView));
+  auto replacement = newEffects.begin();
+  for (auto& [name, passes] : effects) {
+    passes.effect.setProgram(std::move(replacement->first));
+    passes.composite = std::move(replacement->second);
+    ++replacement;
+  }
+  plan = {};  // there are no masks to show
 }
 
 MultiResolution::MultiResolution(Options options) {
@@ -212,9 +241,7 @@ void MultiResolution::setProfiling(gl::Profiler::Mode mode) {
 
 void MultiResolution::reloadShaders() {
   const gl::StateGuard guard;
-  implementation_->shared.emplace(SharedPasses(implementation_->context.library));
-  implementation_->effects.clear();
-  implementation_->debugViewPass.reset();
+  implementation_->reloadShaders();
 }
 
 void MultiResolution::fillTargets(float value) {

@@ -15,7 +15,7 @@ struct Options {
   gl::Profiler::Mode profiling = gl::Profiler::Mode::off;
   bool measureCoverage =
       false;  ///< Occlusion queries around the effect; the host must have none of its own active.
-  std::string shaderDirectory;  ///< Shader files found below it win over the embedded ones. Empty: none.
+  std::string shaderDirectory = {};  ///< Shader files found below it win over the embedded ones. Empty: none.
 };
 
 /// What debugView() shows, as RGBA8 pictures of the full resolution.
@@ -48,7 +48,7 @@ class MultiResolution {
   [[nodiscard]] const Report& report() const;
 
   /// A picture of how the last render() decided; valid until the next call. Throws std::logic_error before
-  /// the first render().
+  /// the first render() and between reloadShaders() and the next.
   GLuint debugView(DebugView view);
 
   /// Changes how stages are timed, from the next render() on.

@@ -15,9 +15,9 @@ DebugViewPass::DebugViewPass(const gl::ShaderLibrary& library)
   levels_.setTextureUnit("quarterMask", kQuarterMaskUnit);
 }
 
-const gl::Texture2D& DebugViewPass::drawEdges(PassContext& context, const gl::Texture2D& edges,
+const gl::Texture2D& DebugViewPass::drawEdges(PassContext& context, const gl::Texture2D* edges,
                                               glm::ivec2 fullSize) {
-  gl::bindTexture(kSourceUnit, edges.id(), context.nearest);
+  gl::bindTexture(kSourceUnit, edges == nullptr ? 0 : edges->id(), context.nearest);
   draw(context, edges_, fullSize);
   return target_.color();
 }
@@ -33,6 +33,7 @@ const gl::Texture2D& DebugViewPass::drawLevels(PassContext& context, const MaskP
   }
   glUseProgram(levels_.id());
   glUniform4iv(levels_.uniformLocation("levelUsed"), 1, &used.x);
+  glUniform1i(levels_.uniformLocation("coarsestLevel"), plan.levels.back().index);
   draw(context, levels_, plan.levels.front().size);
   return target_.color();
 }

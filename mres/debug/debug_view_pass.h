@@ -12,7 +12,8 @@ class DebugViewPass {
  public:
   explicit DebugViewPass(const gl::ShaderLibrary& library);
 
-  const gl::Texture2D& drawEdges(PassContext& context, const gl::Texture2D& edges, glm::ivec2 fullSize);
+  /// `edges` is null where the frame needed none: the picture is black.
+  const gl::Texture2D& drawEdges(PassContext& context, const gl::Texture2D* edges, glm::ivec2 fullSize);
   const gl::Texture2D& drawLevels(PassContext& context, const MaskPass& masks, const LevelPlan& plan);
 
  private:

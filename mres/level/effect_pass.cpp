@@ -1,6 +1,7 @@
 #include "mres/level/effect_pass.h"
 
 #include <string>
+#include <utility>
 
 #include "mres/mask/stencil_pass.h"
 
@@ -10,23 +11,33 @@ namespace {
 constexpr std::array<const char*, kMaxLevels> kScopeNames = {"mres.level0", "mres.level1", "mres.level2",
                                                              "mres.level3"};
 
-gl::Program makeProgram(const gl::ShaderLibrary& library, Effect& effect) {
-  const EffectDescription& description = effect.description();
+}  // namespace
+
+EffectPass::EffectPass(const gl::ShaderLibrary& library, const EffectDescription& description)
+    : description_(description), program_(compile(library)) {}
+
+gl::Program EffectPass::compile(const gl::ShaderLibrary& library) const {
   gl::ShaderLibrary extended = library;
-  extended.add(description.shaders);
-  extended.add("effect", "#include \"" + std::string(description.shader) + "\"\n");
+  extended.add(description_.shaders);
+  extended.add("effect", "#include \"" + std::string(description_.shader) + "\"\n");
   gl::Program program =
       makePassProgram(extended, "mres/effect_level.frag",
-                      "#define EFFECT_CHANNELS " + std::to_string(description.channels) + "\n");
-  glUniform4fv(program.uniformLocation("backgroundValue"), 1, &description.background.x);
-  effect.setUp(program);
+                      "#define EFFECT_CHANNELS " + std::to_string(description_.channels) + "\n");
+  glUniform4fv(program.uniformLocation("backgroundValue"), 1, &description_.background.x);
   return program;
 }
 
-}  // namespace
+void EffectPass::setProgram(gl::Program program) {
+  program_ = std::move(program);
+  isSetUp_ = false;
+}
 
-EffectPass::EffectPass(const gl::ShaderLibrary& library, Effect& effect)
-    : description_(effect.description()), program_(makeProgram(library, effect)) {}
+void EffectPass::setUp(Effect& effect) {
+  if (isSetUp_) return;
+  glUseProgram(program_.id());
+  effect.setUp(program_);
+  isSetUp_ = true;
+}
 
 void EffectPass::draw(PassContext& context, int level, bool zoned) {
   const gl::Scope scope(context.profiler, kScopeNames.at(static_cast<std::size_t>(level)));

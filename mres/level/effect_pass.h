@@ -12,9 +12,16 @@ namespace mres {
 /// One effect: its program and its targets at every level.
 class EffectPass {
  public:
-  EffectPass(const gl::ShaderLibrary& library, Effect& effect);
+  EffectPass(const gl::ShaderLibrary& library, const EffectDescription& description);
 
   [[nodiscard]] const EffectDescription& effect() const { return description_; }
+
+  /// Compiles the program anew; setProgram() then replaces the one in use and keeps the targets.
+  [[nodiscard]] gl::Program compile(const gl::ShaderLibrary& library) const;
+  void setProgram(gl::Program program);
+
+  /// Lets the effect set up a program that it has not seen yet.
+  void setUp(Effect& effect);
 
   /// Draws the effect into the raw target of `level`: the whole of it, or its stencilled zone. Needs the
   /// frame's and level's blocks and the effect bound.
@@ -27,6 +34,7 @@ class EffectPass {
  private:
   EffectDescription description_;
   gl::Program program_;
+  bool isSetUp_ = false;
   std::array<LevelTargets, kMaxLevels> targets_;
 };
 

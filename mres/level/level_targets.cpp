@@ -7,6 +7,9 @@ namespace {
 /// metres.
 constexpr float kFilterTolerance = 0.005f;
 
+/// A picture, and where to refine it.
+constexpr GLint kMaxColors = 2;
+
 }  // namespace
 
 void LevelTargets::ensure(const EffectDescription& effect, glm::ivec2 size, LevelRole role) {
@@ -35,7 +38,7 @@ void LevelTargets::fill(float value) const {
   for (const gl::RenderTarget* target : {&raw_, &filteredAlongX_, &composed_}) {
     if (!*target) continue;
     target->bind();
-    glClearBufferfv(GL_COLOR, 0, &color.x);
+    for (GLint buffer = 0; buffer < kMaxColors; ++buffer) glClearBufferfv(GL_COLOR, buffer, &color.x);
   }
 }
 
