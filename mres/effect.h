@@ -8,6 +8,7 @@
 
 #include "mres/gl/program.h"
 #include "mres/gl/shader_library.h"
+#include "mres/settings.h"
 
 namespace mres {
 
@@ -20,6 +21,17 @@ struct LevelSettings {
   float maskVariance = 0.0f;  ///< sigma^2 in pixels^2 of this level, [0, 64]. Widens the zone around edges.
   float blendWeight = 1.0f;   ///< w_i of equation 1, [1, 1000]. Larger is a harder transition.
 };
+
+template <class Visitor>
+void visit(LevelSettings& settings, Visitor&& visitor) {
+  visitor("used", settings.used,
+          SettingInfo{"", 0.0, 1.0, "Whether the level takes part; level 0 always does."});
+  visitor("maskVariance", settings.maskVariance,
+          SettingInfo{"pixels^2", 0.0, 64.0, "Widens the level's zone around edges."});
+  visitor("blendWeight", settings.blendWeight,
+          SettingInfo{"", 1.0, 1000.0, "Larger is a harder transition to the next coarser level."});
+}
+
 using LevelTable = std::array<LevelSettings, kMaxLevels>;
 
 /// Table 1, column SSAO.
@@ -40,7 +52,7 @@ struct EffectDescription {
 };
 
 /// Where an effect puts its own resources for a draw; lower units and bindings are taken by mres.
-inline constexpr GLuint kEffectTextureUnit = 3;   ///< 3..7 are the effect's
+inline constexpr GLuint kEffectTextureUnit = 6;   ///< 6..11 are the effect's
 inline constexpr GLuint kEffectBlockBinding = 2;  ///< 2..3 are the effect's
 
 class Effect {

@@ -8,7 +8,7 @@
 namespace mres::gl {
 
 /// How much of the binding state mres uses; the guard saves exactly that much.
-inline constexpr GLuint kTextureUnits = 8;
+inline constexpr GLuint kTextureUnits = 12;
 inline constexpr GLuint kUniformBindings = 4;
 
 /// Saves every piece of OpenGL state that mres changes or depends on, sets it to OpenGL's defaults, and puts

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mres/effect.h"
 #include "mres/gl/full_screen.h"
 #include "mres/gl/profiler.h"
 #include "mres/gl/program.h"
@@ -17,6 +18,8 @@ enum TextureUnit : GLuint {
   kMaskUnit = 4,
   kRefineUnit = 5
 };
+
+static_assert(kRefineUnit < kEffectTextureUnit, "an effect's textures stay bound while levels are composed");
 
 /// Uniform blocks; an effect's own start at kEffectBlockBinding.
 enum BlockBinding : GLuint { kFrameBlock = 0, kLevelBlock = 1, kPassBlock = 2 };
