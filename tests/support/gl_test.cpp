@@ -8,7 +8,9 @@ void GlTest::SetUpTestSuite() {
   static const auto kContext = std::make_unique<host::GlContext>();
 }
 
-void GlTest::TearDown() { EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR)); }
+void GlTest::TearDown() {
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
 
 std::vector<float> readPixels(GLuint texture, glm::ivec2 size, int channels) {
   constexpr GLenum kFormats[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <glm/glm.hpp>
+#include <gtest/gtest.h>
 #include <vector>
 
 #include "host/platform/gl_context.h"

@@ -36,13 +36,14 @@ std::vector<glm::vec4> evaluate(const std::string& preamble, const std::string& 
                                 std::span<const glm::vec4> a, std::span<const glm::vec4> b,
                                 const std::function<void(const gl::Program&)>& prepare) {
   gl::ShaderLibrary library = shaderLibrary();
-  library.add("test/evaluate.frag", "#version 330 core\n" + preamble +
-                                        "\nuniform sampler2D inputA, inputB;\nout vec4 result;\nvoid main() {\n"
-                                        "  ivec2 place = ivec2(gl_FragCoord.x, 0);\n"
-                                        "  vec4 a = texelFetch(inputA, place, 0);\n"
-                                        "  vec4 b = texelFetch(inputB, place, 0);\n"
-                                        "  result = " +
-                                        expression + ";\n}\n");
+  library.add("test/evaluate.frag",
+              "#version 330 core\n" + preamble +
+                  "\nuniform sampler2D inputA, inputB;\nout vec4 result;\nvoid main() {\n"
+                  "  ivec2 place = ivec2(gl_FragCoord.x, 0);\n"
+                  "  vec4 a = texelFetch(inputA, place, 0);\n"
+                  "  vec4 b = texelFetch(inputB, place, 0);\n"
+                  "  result = " +
+                  expression + ";\n}\n");
   const gl::Program program(library, {"common/full_screen.vert", "test/evaluate.frag", {}});
   const gl::Texture2D textureA = inputTexture(a);
   const gl::Texture2D textureB = inputTexture(b.empty() ? a : b);

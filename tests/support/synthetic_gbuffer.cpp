@@ -1,6 +1,7 @@
 #include "tests/support/synthetic_gbuffer.h"
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -8,9 +9,30 @@
 namespace mres::test {
 namespace {
 
-double windowDepthOf(const glm::dmat4& projection, glm::dvec3 position) {
+double windowDepthOf(const glm::dmat4& projection, ClipDepth clipDepth, glm::dvec3 position) {
   const glm::dvec4 clip = projection * glm::dvec4(position, 1.0);
-  return 0.5 * clip.z / clip.w + 0.5;
+  return clipDepth == ClipDepth::minusOneToOne ? 0.5 * clip.z / clip.w + 0.5 : clip.z / clip.w;
+}
+
+/// The depth that a fixed-point texture of `bits` holds.
+double quantised(double windowDepth, int bits) {
+  const double steps = std::exp2(bits) - 1.0;
+  return std::round(windowDepth * steps) / steps;
+}
+
+gl::Texture2D depthTexture(GLenum format, glm::ivec2 size, std::vector<float>& depths) {
+  if (format == GL_DEPTH_COMPONENT32F) return {format, size, "test.depth", 1, depths.data()};
+  const int bits = format == GL_DEPTH_COMPONENT16 ? 16 : 24;
+  std::vector<std::uint16_t> narrow;
+  std::vector<std::uint32_t> wide;
+  for (float& depth : depths) {
+    const double exact = quantised(static_cast<double>(depth), bits);
+    narrow.push_back(static_cast<std::uint16_t>(std::lround(exact * 65535.0)));
+    wide.push_back(static_cast<std::uint32_t>(std::lround(exact * 4294967295.0)));
+    depth = static_cast<float>(exact);
+  }
+  return {format, size, "test.depth", 1,
+          bits == 16 ? static_cast<const void*>(narrow.data()) : static_cast<const void*>(wide.data())};
 }
 
 /// The ray of a pixel: through the eye for perspective, parallel for orthographic projections.
@@ -18,35 +40,40 @@ std::pair<glm::dvec3, glm::dvec3> rayOf(const glm::dmat4& p, glm::dvec2 ndc) {
   if (p[2][3] != 0.0) {
     return {glm::dvec3(0.0), glm::dvec3((ndc.x + p[2][0]) / p[0][0], (ndc.y + p[2][1]) / p[1][1], -1.0)};
   }
-  return {glm::dvec3((ndc.x - p[3][0]) / p[0][0], (ndc.y - p[3][1]) / p[1][1], 0.0), glm::dvec3(0.0, 0.0, -1.0)};
+  return {glm::dvec3((ndc.x - p[3][0]) / p[0][0], (ndc.y - p[3][1]) / p[1][1], 0.0),
+          glm::dvec3(0.0, 0.0, -1.0)};
 }
 
 }  // namespace
 
-SyntheticGBuffer::SyntheticGBuffer(glm::ivec2 size, const glm::mat4& projection, const RayCaster& scene) {
-  const glm::dmat4 p(projection);
-  const auto count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
-  std::vector<float> depths(count, 1.0f);
-  std::vector<glm::vec4> normals(count, glm::vec4(0.0f));
-  for (int y = 0; y < size.y; ++y) {
-    for (int x = 0; x < size.x; ++x) {
-      const glm::dvec2 ndc = (glm::dvec2(x, y) + 0.5) / glm::dvec2(size) * 2.0 - 1.0;
+SyntheticGBuffer::SyntheticGBuffer(glm::ivec2 size, const glm::mat4& projection, const RayCaster& scene,
+                                   const DepthStorage& storage)
+    : frame_{.size = size,
+             .projection = projection,
+             .clipDepth = storage.clipDepth,
+             .normalSpace = NormalSpace::view,
+             .normalEncoding = NormalEncoding::signedXyz} {
+  cast(scene, storage);
+  depth_ = depthTexture(storage.format, size, depths_);
+  normals_ = gl::Texture2D(GL_RGBA32F, size, "test.normals", 1, normalValues_.data());
+  frame_.depth = depth_.id();
+  frame_.normals = normals_.id();
+}
+
+void SyntheticGBuffer::cast(const RayCaster& scene, const DepthStorage& storage) {
+  const glm::dmat4 p(frame_.projection);
+  for (int y = 0; y < frame_.size.y; ++y) {
+    for (int x = 0; x < frame_.size.x; ++x) {
+      const glm::dvec2 ndc = (glm::dvec2(x, y) + 0.5) / glm::dvec2(frame_.size) * 2.0 - 1.0;
       const auto [origin, direction] = rayOf(p, ndc);
       const std::optional<Hit> hit = scene(origin, direction);
-      if (!hit) continue;
-      const auto index = static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
-      depths[index] = static_cast<float>(windowDepthOf(p, origin + direction * hit->viewDepth));
-      normals[index] = glm::vec4(hit->normal, 0.0);
+      const double depth =
+          hit ? windowDepthOf(p, storage.clipDepth, origin + direction * hit->viewDepth) : -1.0;
+      const bool visible = depth > 0.0 && depth < 1.0;
+      depths_.push_back(visible ? static_cast<float>(depth) : storage.reversed ? 0.0f : 1.0f);
+      normalValues_.push_back(visible ? glm::vec4(hit->normal, 0.0) : glm::vec4(0.0f));
     }
   }
-  depth_ = gl::Texture2D(GL_DEPTH_COMPONENT32F, size, "test.depth", 1, depths.data());
-  normals_ = gl::Texture2D(GL_RGBA32F, size, "test.normals", 1, normals.data());
-  frame_ = {.depth = depth_.id(),
-            .normals = normals_.id(),
-            .size = size,
-            .projection = projection,
-            .normalSpace = NormalSpace::view,
-            .normalEncoding = NormalEncoding::signedXyz};
 }
 
 RayCaster plane(glm::dvec3 normal, double offset) {

@@ -3,6 +3,7 @@
 #include <functional>
 #include <glm/glm.hpp>
 #include <optional>
+#include <vector>
 
 #include "mres/frame.h"
 #include "mres/gl/texture.h"
@@ -15,18 +16,33 @@ struct Hit {
   glm::dvec3 normal{0.0};
 };
 
-/// The scene of a synthetic G-buffer: a view-space ray (origin, direction with z = -1) to what it meets; nothing is
-/// background.
+/// The scene of a synthetic G-buffer: a view-space ray (origin, direction with z = -1) to what it meets;
+/// nothing is background.
 using RayCaster = std::function<std::optional<Hit>(glm::dvec3 origin, glm::dvec3 direction)>;
 
-/// Depth (32-bit float) and view-space normals (RGBA16F) of a scene that is cast in double precision, and the
-/// frame that hands them to mres.
+/// How a G-buffer stores depth.
+struct DepthStorage {
+  GLenum format = GL_DEPTH_COMPONENT32F;  ///< or GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24
+  ClipDepth clipDepth = ClipDepth::minusOneToOne;
+  bool reversed = false;  ///< the far plane is at window depth 0
+};
+
+/// Depth and view-space normals (RGBA32F) of a scene that is cast in double precision, and the frame that
+/// hands them to mres. What lies beyond the far plane is background.
 class SyntheticGBuffer {
  public:
-  SyntheticGBuffer(glm::ivec2 size, const glm::mat4& projection, const RayCaster& scene);
+  SyntheticGBuffer(glm::ivec2 size, const glm::mat4& projection, const RayCaster& scene,
+                   const DepthStorage& storage = {});
   [[nodiscard]] const Frame& frame() const { return frame_; }
+  /// Window depths as the texture stores them, rows bottom to top.
+  [[nodiscard]] const std::vector<float>& depths() const { return depths_; }
+  [[nodiscard]] const std::vector<glm::vec4>& normals() const { return normalValues_; }
 
  private:
+  void cast(const RayCaster& scene, const DepthStorage& storage);
+
+  std::vector<float> depths_;
+  std::vector<glm::vec4> normalValues_;
   gl::Texture2D depth_;
   gl::Texture2D normals_;
   Frame frame_;

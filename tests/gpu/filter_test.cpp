@@ -1,0 +1,106 @@
+// The filter of each level: exact means of 4x4 patterns on surfaces, nothing taken across steps.
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "tests/support/gl_test.h"
+#include "tests/support/mask_bench.h"
+#include "tests/support/pictures.h"
+#include "tests/support/synthetic_gbuffer.h"
+#include "tests/support/test_effect.h"
+
+namespace mres::test {
+namespace {
+
+constexpr const char* kPattern =
+    "int i = (surface.levelPixel.y & 3) * 4 + (surface.levelPixel.x & 3);\n"
+    "return vec4(float(i * 7 % 16) / 16.0);";
+constexpr double kPatternMean = 7.5 / 16.0;
+constexpr double kHalfRounding = 1.0 / 2048.0;
+
+glm::dvec3 tilted(double degrees, double azimuth) {
+  const double tilt = glm::radians(degrees);
+  return {std::sin(tilt) * std::cos(azimuth), std::sin(tilt) * std::sin(azimuth), std::cos(tilt)};
+}
+
+/// The largest distance from `expected` at least `border` pixels inside.
+double worstInside(const Image& image, int border, double expected) {
+  double worst = 0.0;
+  for (int y = border; y < image.size.y - border; ++y) {
+    for (int x = border; x < image.size.x - border; ++x) {
+      for (int channel = 0; channel < image.channels; ++channel) {
+        worst = std::max(worst, std::abs(static_cast<double>(image.at({x, y}, channel)) - expected));
+      }
+    }
+  }
+  return worst;
+}
+
+class Filter : public GlTest {
+ protected:
+  Image render(TestEffect& effect, const Frame& frame, Technique technique = Technique::full) {
+    multiResolution_.settings().technique = technique;
+    return {frame.size, effect.description().channels, renderPicture(multiResolution_, effect, frame)};
+  }
+
+  MultiResolution multiResolution_;
+};
+
+TEST_F(Filter, IntegratesAPatternExactlyOnPlanesOfEveryTilt) {
+  const glm::ivec2 size(61, 47);
+  TestEffect one({.body = kPattern, .filtered = true, .name = "one"});
+  TestEffect three({.body = kPattern, .channels = 3, .filtered = true, .name = "three"});
+  const glm::mat4 orthographic = glm::ortho(-1.5f, 1.5f, -1.0f, 1.0f, 0.1f, 30.0f);
+  for (const glm::mat4& projection : {perspective(size, 10.0f), orthographic}) {
+    for (const double tilt : {0.0, 30.0, 60.0, 75.0}) {
+      const glm::dvec3 normal = tilted(tilt, 0.6);
+      const SyntheticGBuffer gbuffer(size, projection, plane(normal, -normal.z * 10.0));
+      EXPECT_LT(worstInside(render(one, gbuffer.frame()), 2, kPatternMean), kHalfRounding) << tilt;
+      EXPECT_LT(worstInside(render(three, gbuffer.frame()), 2, kPatternMean), kHalfRounding) << tilt;
+    }
+  }
+}
+
+TEST_F(Filter, IntegratesThePatternOfACoarseLevel) {
+  const glm::ivec2 size(257, 193);
+  TestEffect effect({.body = kPattern, .filtered = true});
+  const SyntheticGBuffer gbuffer(size, perspective(size), plane({0.2, 0.1, 1.0}, -5.0));
+  EXPECT_LT(worstInside(render(effect, gbuffer.frame(), Technique::multiResolution), 33, kPatternMean),
+            kHalfRounding);
+}
+
+TEST_F(Filter, TakesNothingAcrossADepthStep) {
+  const glm::ivec2 size(63, 41);
+  TestEffect effect(
+      {.body = "return vec4(surface.depth < 2.5 ? 0.25 : 0.75);", .channels = 3, .filtered = true});
+  for (const double back : {2.6, 3.0, 40.0}) {
+    const auto scene = [back](glm::dvec3 origin, glm::dvec3 direction) {
+      const bool front = std::fmod(std::abs(7.0 * direction.x + 3.0 * direction.y), 2.0) < 1.0;
+      return plane({0.0, 0.0, 1.0}, front ? -2.0 : -back)(origin, direction);
+    };
+    const Image image = render(effect, SyntheticGBuffer(size, perspective(size), scene).frame());
+    for (const float value : image.texels) ASSERT_TRUE(value == 0.25f || value == 0.75f) << value;
+  }
+}
+
+TEST_F(Filter, TakesNothingFromTheSkyNorGivesItAnything) {
+  const glm::ivec2 size(63, 41);
+  TestEffect effect({.body = "return vec4(0.25);", .filtered = true, .background = glm::vec4(1.0f)});
+  for (const double depth : {0.2, 5.0, 90.0}) {
+    const SyntheticGBuffer gbuffer(size, perspective(size), sphere({0.0, 0.0, -depth}, 0.3 * depth));
+    const Image image = render(effect, gbuffer.frame());
+    for (std::size_t i = 0; i < image.texels.size(); ++i) {
+      ASSERT_EQ(image.texels[i], gbuffer.depths()[i] == 1.0f ? 1.0f : 0.25f);
+    }
+  }
+}
+
+TEST_F(Filter, SurfacesWithoutANormalKeepTheirValue) {
+  const glm::ivec2 size(24, 24);
+  TestEffect effect({.body = "return vec4(0.25 + 0.5 * float(surface.levelPixel.x & 1));", .filtered = true});
+  const auto scene = [](glm::dvec3, glm::dvec3) { return Hit{3.0, glm::dvec3(0.0)}; };
+  const Image image = render(effect, SyntheticGBuffer(size, perspective(size), scene).frame());
+  for (int x = 0; x < size.x; ++x) EXPECT_EQ(image.at({x, 5}), x % 2 == 0 ? 0.25f : 0.75f);
+}
+
+}  // namespace
+}  // namespace mres::test

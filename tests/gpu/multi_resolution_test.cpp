@@ -1,0 +1,291 @@
+// The facade: what must hold whatever the effect, the size and the levels.
+#include <gmock/gmock.h>
+#include <limits>
+#include <optional>
+#include <random>
+
+#include "effects/ssao/ssao.h"
+#include "mres/mres.h"
+#include "tests/support/gl_test.h"
+#include "tests/support/pictures.h"
+#include "tests/support/synthetic_gbuffer.h"
+#include "tests/support/test_effect.h"
+
+namespace mres::test {
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+SsaoSettings ssaoWith(unsigned levels, int samples = 8) {
+  return {.samples = samples, .levels = levelSubset(levels)};
+}
+
+/// Every normal points elsewhere, so that everything is an edge.
+RayCaster withRandomNormals(RayCaster scene) {
+  auto generator = std::make_shared<std::mt19937>(1);
+  return [scene = std::move(scene), generator](glm::dvec3 origin, glm::dvec3 direction) {
+    std::normal_distribution<double> random;
+    std::optional<Hit> hit = scene(origin, direction);
+    if (hit)
+      hit->normal = glm::normalize(glm::dvec3(random(*generator), random(*generator), random(*generator)));
+    return hit;
+  };
+}
+
+class MultiResolutionTest : public GlTest {
+ protected:
+  Picture full(Effect& effect, const Frame& frame) {
+    multiResolution_.settings().technique = Technique::full;
+    Picture picture = renderPicture(multiResolution_, effect, frame);
+    multiResolution_.settings().technique = Technique::multiResolution;
+    return picture;
+  }
+  Picture mixed(Effect& effect, const Frame& frame) { return renderPicture(multiResolution_, effect, frame); }
+
+  MultiResolution multiResolution_;
+};
+
+TEST_F(MultiResolutionTest, NothingUndefinedIsEverComposited) {
+  for (const glm::ivec2 size : {glm::ivec2(97, 61), glm::ivec2(64, 64), glm::ivec2(33, 17)}) {
+    const SyntheticGBuffer gbuffer(size, perspective(size), room());
+    for (unsigned levels = 1; levels < 16; levels += 2) {
+      Ssao ssao(ssaoWith(levels, 4));
+      for (const float threshold : {0.0f, 0.02f}) {
+        multiResolution_.settings().mask.refineThreshold = threshold;
+        const Picture clean = mixed(ssao, gbuffer.frame());
+        ASSERT_TRUE(isFinite(clean));
+        for (const float poison : {kNan, -60000.0f}) {
+          multiResolution_.fillTargets(poison);
+          ASSERT_EQ(mixed(ssao, gbuffer.frame()), clean)
+              << size.x << "x" << size.y << ", levels " << levels << ", poison " << poison;
+        }
+      }
+    }
+  }
+}
+
+TEST_F(MultiResolutionTest, NothingUndefinedIsEverCompositedOfColoursAndUnfilteredEffects) {
+  const glm::ivec2 size(97, 61);
+  const SyntheticGBuffer gbuffer(size, perspective(size), room());
+  const char* body = "return vec4(fract(surface.position), 1.0);";
+  TestEffect filtered({.body = body, .channels = 3, .filtered = true, .name = "filtered"});
+  TestEffect unfiltered({.body = body, .channels = 3, .name = "unfiltered"});
+  TestEffect single({.body = body, .name = "single"});
+  for (TestEffect* effect : {&filtered, &unfiltered, &single}) {
+    const Picture clean = mixed(*effect, gbuffer.frame());
+    multiResolution_.fillTargets(kNan);
+    EXPECT_EQ(mixed(*effect, gbuffer.frame()), clean);
+    EXPECT_TRUE(isFinite(clean));
+  }
+}
+
+TEST_F(MultiResolutionTest, AConstantGivesTheSameConstantAtEverySize) {
+  constexpr float kValue = 0.37f;
+  std::optional<float> stored;  // as the driver rounds it to a half
+  std::vector<std::unique_ptr<TestEffect>> effects;
+  for (const int channels : {1, 3}) {
+    for (const bool filtered : {false, true}) {
+      effects.push_back(std::make_unique<TestEffect>(TestEffect::Recipe{
+          .body = "return vec4(0.37);",
+          .channels = channels,
+          .filtered = filtered,
+          .background = glm::vec4(kValue),
+          .name = std::string(filtered ? "filtered" : "plain") + std::to_string(channels)}));
+    }
+  }
+  for (const glm::ivec2 size :
+       {glm::ivec2(1), glm::ivec2(1, 4096), glm::ivec2(4096, 1), glm::ivec2(2, 3), glm::ivec2(7, 5),
+        glm::ivec2(15), glm::ivec2(16), glm::ivec2(31, 17), glm::ivec2(127, 61), glm::ivec2(251, 257)}) {
+    const SyntheticGBuffer gbuffer(size, perspective(size), room());
+    for (const auto& effect : effects) {
+      for (const Picture& picture : {full(*effect, gbuffer.frame()), mixed(*effect, gbuffer.frame())}) {
+        stored = stored.value_or(picture.front());
+        ASSERT_NEAR(*stored, kValue, kValue / 1024.0f);
+        ASSERT_THAT(picture, testing::Each(*stored))
+            << effect->description().name << " at " << size.x << "x" << size.y;
+      }
+    }
+  }
+}
+
+TEST_F(MultiResolutionTest, EdgesEverywhereGiveTheNaivePictureBitForBit) {
+  for (const glm::ivec2 size : {glm::ivec2(96, 64), glm::ivec2(71, 53)}) {
+    const SyntheticGBuffer gbuffer(size, perspective(size), withRandomNormals(room()));
+    Ssao ssao(ssaoWith(15));
+    refineAtEveryEdge(multiResolution_);
+    EXPECT_EQ(mixed(ssao, gbuffer.frame()), full(ssao, gbuffer.frame()));
+  }
+}
+
+TEST_F(MultiResolutionTest, OneLevelGivesTheNaivePictureBitForBit) {
+  const glm::ivec2 size(71, 53);
+  const SyntheticGBuffer gbuffer(size, perspective(size), room());
+  Ssao ssao(ssaoWith(1));
+  EXPECT_EQ(mixed(ssao, gbuffer.frame()), full(ssao, gbuffer.frame()));
+  EXPECT_EQ(multiResolution_.report().technique, Technique::full);
+}
+
+TEST_F(MultiResolutionTest, PicturesDoNotDependOnWhatWasRenderedBefore) {
+  const glm::ivec2 size(95, 63);
+  const SyntheticGBuffer gbuffer(size, perspective(size), room());
+  Ssao ssao(ssaoWith(15));
+  const Picture first = mixed(ssao, gbuffer.frame());
+  EXPECT_EQ(mixed(ssao, gbuffer.frame()), first);
+  TestEffect other({.body = "return vec4(surface.depth);", .channels = 3});
+  for (const glm::ivec2 otherSize : {glm::ivec2(31, 17), glm::ivec2(1), glm::ivec2(130, 40), size}) {
+    const SyntheticGBuffer otherScene(otherSize, perspective(otherSize), sphere({0.0, 0.0, -2.0}, 1.0));
+    static_cast<void>(mixed(ssao, otherScene.frame()));
+    static_cast<void>(full(other, otherScene.frame()));
+    static_cast<void>(mixed(other, otherScene.frame()));
+    EXPECT_EQ(mixed(ssao, gbuffer.frame()), first);
+  }
+  MultiResolution another;
+  EXPECT_EQ(renderPicture(another, ssao, gbuffer.frame()), first);
+}
+
+TEST_F(MultiResolutionTest, SsaoOfARoomIsCloseToTheNaivePicture) {
+  const glm::ivec2 size(320, 240);
+  const SyntheticGBuffer gbuffer(size, perspective(size), room());
+  MultiResolution multiResolution({.measureCoverage = true});
+  Ssao ssao({.samples = 32});
+  const Picture picture = renderPicture(multiResolution, ssao, gbuffer.frame());
+  glFinish();
+  static_cast<void>(renderPicture(multiResolution, ssao, gbuffer.frame()));
+  const std::vector<LevelReport> levels = multiResolution.report().levels;
+  EXPECT_LT(rootMeanSquare(picture, full(ssao, gbuffer.frame())), 0.02);
+  ASSERT_EQ(levels.size(), 4u);
+  for (std::size_t i = 0; i + 1 < levels.size(); ++i)
+    EXPECT_LT(levels[i].coverage, levels[i + 1].coverage) << i;
+  EXPECT_GT(levels.front().coverage, 0.0);
+  EXPECT_EQ(levels.back().coverage, 1.0);
+}
+
+/// Reads a texture of its own, bound where effect.h says.
+class TexturedEffect final : public TestEffect {
+ public:
+  TexturedEffect()
+      : TestEffect({.body = "return texelFetch(effectTexture, ivec2(0), 0);", .name = "textured"}),
+        declaration_("uniform sampler2D effectTexture;\n" +
+                     std::string(TestEffect::description().shaders[0].text)),
+        files_{{{"test/effect.glsl", declaration_}}},
+        description_(TestEffect::description()) {
+    description_.shaders = files_;
+  }
+  [[nodiscard]] const EffectDescription& description() const override { return description_; }
+  void setUp(const gl::Program& program) override {
+    program.setTextureUnit("effectTexture", kEffectTextureUnit);
+  }
+  void bind() override { gl::bindTexture(kEffectTextureUnit, texture_.id(), sampler_); }
+
+ private:
+  static constexpr float kTexel = 0.625f;
+  std::string declaration_;
+  std::array<gl::ShaderFile, 1> files_;
+  EffectDescription description_;
+  gl::Texture2D texture_{GL_R32F, {1, 1}, "test.texture", 1, &kTexel};
+  gl::SamplerName sampler_ = gl::makeSampler(gl::Filter::nearest);
+};
+
+TEST_F(MultiResolutionTest, AnEffectsOwnTextureStaysBoundForEveryLevel) {
+  const glm::ivec2 size(95, 63);
+  const SyntheticGBuffer gbuffer(size, perspective(size), room());
+  TexturedEffect effect;
+  refineAtEveryEdge(multiResolution_);
+  for (unsigned levels = 1; levels < 16; levels += 2) {
+    effect.setLevels(levelSubset(levels));
+    EXPECT_THAT(mixed(effect, gbuffer.frame()), testing::Each(0.625f)) << levels;
+  }
+}
+
+TEST_F(MultiResolutionTest, ResultsHaveTheSizeOfTheFrameForEverySubsetOfLevels) {
+  for (const glm::ivec2 size : {glm::ivec2(9, 9), glm::ivec2(65, 33)}) {
+    const SyntheticGBuffer gbuffer(size, perspective(size), room());
+    for (unsigned levels = 0; levels < 16; ++levels) {
+      Ssao ssao(ssaoWith(levels, 1));
+      glBindTexture(GL_TEXTURE_2D, multiResolution_.render(ssao, gbuffer.frame()));
+      glm::ivec2 actual(0);
+      glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &actual.x);
+      glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_HEIGHT, &actual.y);
+      EXPECT_EQ(actual, size) << levels;
+    }
+  }
+}
+
+TEST_F(MultiResolutionTest, ReportSaysWhatRan) {
+  const glm::ivec2 size(97, 61);
+  const SyntheticGBuffer gbuffer(size, perspective(size), room());
+  Ssao ssao(ssaoWith(0b1101));
+  multiResolution_.setProfiling(gl::Profiler::Mode::finish);
+  static_cast<void>(mixed(ssao, gbuffer.frame()));
+  const Report& report = multiResolution_.report();
+  EXPECT_EQ(report.technique, Technique::multiResolution);
+  EXPECT_THAT(report.levels, testing::ElementsAre(testing::Field(&LevelReport::index, 0),
+                                                  testing::Field(&LevelReport::index, 2),
+                                                  testing::Field(&LevelReport::size, glm::ivec2(13, 8))));
+  EXPECT_THAT(report.skipped, testing::ElementsAre(testing::Field(&Skip::what, "level1")));
+  EXPECT_THAT(report.stages, testing::Contains(testing::Field(&gl::StageTime::name, "mres.masks")));
+  EXPECT_GT(report.bytes, 97u * 61u * 4u);
+}
+
+TEST_F(MultiResolutionTest, RefusesImpossibleFramesAndStaysUsable) {
+  const glm::ivec2 size(40, 30);
+  const SyntheticGBuffer gbuffer(size, perspective(size), room());
+  Ssao ssao(ssaoWith(15));
+  const Picture before = mixed(ssao, gbuffer.frame());
+  Frame bad = gbuffer.frame();
+  bad.depth = 0;
+  EXPECT_THROW(static_cast<void>(multiResolution_.render(ssao, bad)), std::invalid_argument);
+  EXPECT_EQ(mixed(ssao, gbuffer.frame()), before);
+}
+
+class DebugViews : public MultiResolutionTest {
+ protected:
+  static glm::vec3 colorAt(GLuint texture, glm::ivec2 size, glm::ivec2 pixel) {
+    const std::vector<float> texels = readPixels(texture, size, 3);
+    const auto index = static_cast<std::size_t>(3 * (pixel.y * size.x + pixel.x));
+    return {texels[index], texels[index + 1], texels[index + 2]};
+  }
+};
+
+TEST_F(DebugViews, ThrowBeforeTheFirstFrame) {
+  EXPECT_THROW(multiResolution_.debugView(DebugView::levels), std::logic_error);
+}
+
+TEST_F(DebugViews, ShowEdgesWhereTheyAre) {
+  const glm::ivec2 size(129, 97);
+  const SyntheticGBuffer gbuffer(
+      size, perspective(size),
+      nearest({plane({0.0, 0.0, 1.0}, -6.0), box({-1.0, -1.0, -5.0}, {1.0, 1.0, -4.0})}));
+  Ssao ssao(ssaoWith(15, 1));
+  static_cast<void>(mixed(ssao, gbuffer.frame()));
+  const GLuint edges = multiResolution_.debugView(DebugView::edges);
+  EXPECT_EQ(colorAt(edges, size, {2, 2}), glm::vec3(0.0f));
+  const std::vector<float> texels = readPixels(edges, size, 3);
+  EXPECT_GT(std::ranges::count(texels, 1.0f), 100);
+}
+
+TEST_F(DebugViews, ShowTheLevelThatRendered) {
+  const glm::ivec2 size(129, 97);
+  const SyntheticGBuffer gbuffer(size, perspective(size), plane({0.1, 0.1, 1.0}, -6.0));
+  Ssao ssao(ssaoWith(15, 1));
+  static_cast<void>(mixed(ssao, gbuffer.frame()));
+  EXPECT_EQ(colorAt(multiResolution_.debugView(DebugView::levels), size, {20, 20}), glm::vec3(0.0f))
+      << "eighth";
+  Ssao half(ssaoWith(3, 1));
+  static_cast<void>(mixed(half, gbuffer.frame()));
+  EXPECT_GT(colorAt(multiResolution_.debugView(DebugView::levels), size, {20, 20}).g, 0.5f)
+      << "half is green";
+  static_cast<void>(full(ssao, gbuffer.frame()));
+  EXPECT_GT(colorAt(multiResolution_.debugView(DebugView::levels), size, {20, 20}).r, 0.5f) << "full is red";
+}
+
+TEST_F(DebugViews, OfTheFullTechniqueHaveNoEdges) {
+  const glm::ivec2 size(64, 48);
+  const SyntheticGBuffer gbuffer(size, perspective(size), room());
+  Ssao ssao(ssaoWith(15, 1));
+  static_cast<void>(full(ssao, gbuffer.frame()));
+  EXPECT_THAT(readPixels(multiResolution_.debugView(DebugView::edges), size, 3), testing::Each(0.0f));
+}
+
+}  // namespace
+}  // namespace mres::test

@@ -1,0 +1,43 @@
+#include "tests/support/mask_bench.h"
+
+#include "mres/level/frame_params.h"
+#include "tests/support/gl_test.h"
+#include "tests/support/glsl_function.h"
+
+namespace mres::test {
+namespace {
+
+PassContext makeContext() {
+  PassContext context;
+  context.library = shaderLibrary();
+  return context;
+}
+
+}  // namespace
+
+Image readImage(const gl::Texture2D& texture, int channels) {
+  return {texture.size(), channels, readPixels(texture.id(), texture.size(), channels)};
+}
+
+MaskBench::MaskBench() : context_(makeContext()), edgePass_(context_.library), maskPass_(context_.library) {}
+
+Image MaskBench::edges(const Frame& frame, const MaskSettings& settings) {
+  const params::FrameParams params = frameParams(frame);
+  frameBlock_.upload(params);
+  frameBlock_.bind(kFrameBlock);
+  gl::bindTexture(kDepthUnit, frame.depth, context_.nearest);
+  gl::bindTexture(kNormalUnit, frame.normals, context_.nearest);
+  edgePass_.draw(context_, settings, params);
+  return readImage(edgePass_.edges(), 2);
+}
+
+std::vector<Image> MaskBench::masks(const gl::Texture2D& edges, const LevelPlan& plan) {
+  maskPass_.draw(context_, edges, plan);
+  std::vector<Image> images;
+  for (std::size_t i = 0; i + 1 < plan.levels.size(); ++i) {
+    images.push_back(readImage(maskPass_.mask(plan.levels[i].index), 1));
+  }
+  return images;
+}
+
+}  // namespace mres::test

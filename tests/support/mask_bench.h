@@ -1,0 +1,46 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "mres/frame.h"
+#include "mres/gl/uniform_buffer.h"
+#include "mres/level/pass_context.h"
+#include "mres/mask/edge_pass.h"
+#include "mres/mask/mask_pass.h"
+#include "mres/plan/level_plan.h"
+
+namespace mres::test {
+
+/// One channel or more of a small picture, with its size.
+struct Image {
+  glm::ivec2 size{0};
+  int channels = 1;
+  std::vector<float> texels;
+  [[nodiscard]] float at(glm::ivec2 texel, int channel = 0) const {
+    return texels.at(static_cast<std::size_t>((texel.y * size.x + texel.x) * channels + channel));
+  }
+};
+
+Image readImage(const gl::Texture2D& texture, int channels);
+
+/// Runs the mask steps of a frame one by one.
+class MaskBench {
+ public:
+  MaskBench();
+
+  /// The edge image: channel 0 normals, channel 1 depth.
+  Image edges(const Frame& frame, const MaskSettings& settings = {});
+
+  /// The masks of a plan's levels but the last, from an edge image in a texture or from the last edges().
+  std::vector<Image> masks(const gl::Texture2D& edges, const LevelPlan& plan);
+  std::vector<Image> masks(const LevelPlan& plan) { return masks(edgePass_.edges(), plan); }
+
+ private:
+  PassContext context_;
+  gl::UniformBuffer<params::FrameParams> frameBlock_;
+  EdgePass edgePass_;
+  MaskPass maskPass_;
+};
+
+}  // namespace mres::test
