@@ -44,7 +44,7 @@ class TemporaryFile {
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
-  std::string path() const { return path_.string(); }
+  [[nodiscard]] std::string path() const { return path_.string(); }
   void moveIntoPlace() const { std::filesystem::rename(path_, place_); }
 
  private:

@@ -22,7 +22,7 @@ class SurfaceSampler {
   };
 
   /// The same point for the same `i`; any number of them is spread evenly.
-  Sample sample(int i) const;
+  [[nodiscard]] Sample sample(int i) const;
 
  private:
   const std::vector<WorldTriangle>& triangles_;

@@ -28,10 +28,10 @@ class TriangleGrid {
   explicit TriangleGrid(const Scene& scene);
 
   /// The nearest surface along the ray; `direction` is unit length.
-  std::optional<RayHit> trace(glm::vec3 origin, glm::vec3 direction) const;
+  [[nodiscard]] std::optional<RayHit> trace(glm::vec3 origin, glm::vec3 direction) const;
 
-  const std::vector<WorldTriangle>& triangles() const { return triangles_; }
-  const Bounds& bounds() const { return bounds_; }
+  [[nodiscard]] const std::vector<WorldTriangle>& triangles() const { return triangles_; }
+  [[nodiscard]] const Bounds& bounds() const { return bounds_; }
 
  private:
   struct CellRange {
@@ -41,9 +41,9 @@ class TriangleGrid {
 
   void chooseResolution();
   void fillCells();
-  std::size_t referenceCount() const;
-  CellRange cellsOf(const WorldTriangle& triangle) const;
-  std::size_t cellIndex(glm::ivec3 cell) const;
+  [[nodiscard]] std::size_t referenceCount() const;
+  [[nodiscard]] CellRange cellsOf(const WorldTriangle& triangle) const;
+  [[nodiscard]] std::size_t cellIndex(glm::ivec3 cell) const;
   template <typename Visit>
   void visitCells(const WorldTriangle& triangle, Visit visit) const;
 

@@ -13,7 +13,7 @@ using testing::HasSubstr;
 
 class GltfGeometry : public testing::Test {
  protected:
-  host::Mesh onlyMesh() const {
+  [[nodiscard]] host::Mesh onlyMesh() const {
     const host::Scene scene = file_.load(folder_);
     EXPECT_EQ(scene.meshes.size(), 1U);
     return scene.meshes.at(0);

@@ -17,11 +17,11 @@ class GltfHierarchy : public testing::Test {
  protected:
   GltfHierarchy() { file_.addSquare(); }
 
-  host::Scene load() const { return file_.load(folder_); }
-  std::string loadError() const { return file_.loadError(folder_); }
+  [[nodiscard]] host::Scene load() const { return file_.load(folder_); }
+  [[nodiscard]] std::string loadError() const { return file_.loadError(folder_); }
 
   /// Where the square's corner (1, 1, 0) of the only instance is.
-  glm::vec3 corner() const {
+  [[nodiscard]] glm::vec3 corner() const {
     const host::Scene scene = load();
     EXPECT_EQ(scene.instances.size(), 1U);
     return glm::vec3(scene.instances.at(0).transform * glm::vec4(1, 1, 0, 1));

@@ -27,7 +27,7 @@ class GltfSurface : public testing::Test {
   }
 
   void setMaterial(Json material) { file_.json["materials"] = {std::move(material)}; }
-  host::Material material() const { return file_.load(folder_).materials.at(0); }
+  [[nodiscard]] host::Material material() const { return file_.load(folder_).materials.at(0); }
 
   TemporaryFolder folder_;
   GltfFile file_;

@@ -65,7 +65,7 @@ host::Scene GltfFile::load(const TemporaryFolder& folder) const {
 
 std::string GltfFile::loadError(const TemporaryFolder& folder) const {
   try {
-    load(folder);
+    const host::Scene ignored = load(folder);
     return {};
   } catch (const std::runtime_error& error) {
     return error.what();

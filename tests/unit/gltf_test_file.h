@@ -22,7 +22,7 @@ class TemporaryFolder {
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
-  const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   void write(const std::string& name, std::string_view content) const;
 
  private:
@@ -69,13 +69,13 @@ class GltfFile {
   Json& addSquare();
 
   /// Writes scene.gltf and scene.bin and loads them.
-  host::Scene load(const TemporaryFolder& folder) const;
+  [[nodiscard]] host::Scene load(const TemporaryFolder& folder) const;
 
   /// The message with which loading fails; empty where it does not.
-  std::string loadError(const TemporaryFolder& folder) const;
+  [[nodiscard]] std::string loadError(const TemporaryFolder& folder) const;
 
   /// As one GLB file.
-  std::string glb() const;
+  [[nodiscard]] std::string glb() const;
 
  private:
   int addBytes(std::span<const std::byte> bytes, int byteStride);

@@ -19,15 +19,15 @@ class Accessor {
   /// this.
   Accessor(const Document& document, int index, std::string_view purpose);
 
-  std::size_t count() const { return count_; }
-  int components() const { return components_; }
-  bool isUnsignedInteger() const;  ///< as indices must be
+  [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] int components() const { return components_; }
+  [[nodiscard]] bool isUnsignedInteger() const;  ///< as indices must be
 
   /// As floating point, normalised integers mapped to 0..1 or -1..1. Components that the type lacks are zero.
-  glm::vec4 vector(std::size_t element) const;
+  [[nodiscard]] glm::vec4 vector(std::size_t element) const;
 
   /// The first component of an unsigned integer accessor.
-  std::uint32_t integer(std::size_t element) const;
+  [[nodiscard]] std::uint32_t integer(std::size_t element) const;
 
  private:
   /// Elements at a fixed distance in memory; no data reads as zeros.
@@ -36,10 +36,10 @@ class Accessor {
     std::size_t stride = 0;
   };
 
-  Elements elementsOf(const Document& document, int view, std::size_t offset, std::size_t count,
-                      std::size_t elementSize) const;
+  [[nodiscard]] Elements elementsOf(const Document& document, int view, std::size_t offset, std::size_t count,
+                                    std::size_t elementSize) const;
   void readSparse(const Document& document, const tinygltf::Accessor& source);
-  const std::uint8_t* bytesOf(std::size_t element) const;
+  [[nodiscard]] const std::uint8_t* bytesOf(std::size_t element) const;
   [[noreturn]] void fail(std::string_view what) const;
 
   std::string purpose_;

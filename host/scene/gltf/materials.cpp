@@ -89,7 +89,7 @@ class MaterialConverter {
     return material_;
   }
 
-  int uvSet() const { return uvSet_.value_or(0); }
+  [[nodiscard]] int uvSet() const { return uvSet_.value_or(0); }
 
  private:
   /// tinygltf keeps the members of pbrMetallicRoughness in `values`; without any, the older model counts.

@@ -19,7 +19,7 @@ class PrimitiveReader {
   /// std::runtime_error.
   PrimitiveReader(Document& document, const tinygltf::Primitive& primitive, std::string name);
 
-  std::size_t triangleCount() const;
+  [[nodiscard]] std::size_t triangleCount() const;
 
   /// Only vertices that triangles use, with texture coordinates of TEXCOORD_`uvSet`. Normals and, for a
   /// material with a normal map, tangents are made where they are missing. Triangles with coordinates that
@@ -30,7 +30,8 @@ class PrimitiveReader {
   struct Attributes;
 
   std::vector<std::uint32_t> validCorners();
-  Mesh readVertices(const std::vector<std::uint32_t>& corners, const Attributes& attributes) const;
+  [[nodiscard]] Mesh readVertices(const std::vector<std::uint32_t>& corners,
+                                  const Attributes& attributes) const;
   std::optional<Accessor> attribute(const std::string& semantic, int components);
 
   Document& document_;

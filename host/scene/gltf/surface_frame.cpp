@@ -75,7 +75,9 @@ class TangentSums {
   explicit TangentSums(std::size_t vertexCount) : sums_(vertexCount) {}
 
   void add(std::uint32_t vertex, int side, const glm::dvec3& tangent) { of(vertex, side) += tangent; }
-  bool has(std::uint32_t vertex, int side) const { return sums_[vertex][slot(side)] != glm::dvec3(0.0); }
+  [[nodiscard]] bool has(std::uint32_t vertex, int side) const {
+    return sums_[vertex][slot(side)] != glm::dvec3(0.0);
+  }
   glm::dvec3& of(std::uint32_t vertex, int side) { return sums_[vertex][slot(side)]; }
 
  private:
