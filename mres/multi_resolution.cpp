@@ -20,7 +20,7 @@
 #include "mres/level/pass_context.h"
 #include "mres/mask/edge_pass.h"
 #include "mres/mask/mask_pass.h"
-#include "mres/mask/stencil_pass.h"
+#include "mres/mask/zone_pass.h"
 #include "mres/plan/level_plan.h"
 
 namespace mres {
@@ -32,12 +32,12 @@ namespace {
 /// The passes that all effects share; compiled together, so that a reload replaces all or none.
 struct SharedPasses {
   explicit SharedPasses(const gl::ShaderLibrary& library)
-      : pyramid(library), edges(library), masks(library), stencil(library) {}
+      : pyramid(library), edges(library), masks(library), zones(library) {}
 
   DepthPyramid pyramid;
   EdgePass edges;
   MaskPass masks;
-  StencilPass stencil;
+  ZonePass zones;
 };
 
 /// The passes of one effect.
@@ -148,10 +148,11 @@ void MultiResolution::Implementation::renderLevels(EffectPasses& passes) {
       drawEffect(passes.effect, i);
       passes.composite.drawCoarsest(context, targets);
     } else {
-      const ZoneInputs zone = zoneOf(passes.effect, i);
-      shared->stencil.draw(context, targets.raw(), zone);
+      const ZoneInputs inputs = zoneOf(passes.effect, i);
+      shared->zones.draw(context, plan.levels[i], inputs);
+      passes.composite.drawOutsideZone(context, targets, inputs, shared->zones.zone(plan.levels[i].index));
       drawEffect(passes.effect, i);
-      passes.composite.draw(context, targets, zone);
+      passes.composite.drawZone(context, targets, inputs);
     }
   }
 }
@@ -174,8 +175,8 @@ void MultiResolution::Implementation::fillReport(const EffectPasses& passes) {
   }
   report.skipped = plan.skipped;
   report.stages = context.profiler.stages();
-  report.bytes =
-      passes.effect.bytes() + shared->pyramid.bytes() + shared->edges.bytes() + shared->masks.bytes();
+  report.bytes = passes.effect.bytes() + shared->pyramid.bytes() + shared->edges.bytes() +
+                 shared->masks.bytes() + shared->zones.bytes();
 }
 
 GLuint MultiResolution::Implementation::debugView(DebugView view) {
@@ -185,7 +186,7 @@ GLuint MultiResolution::Implementation::debugView(DebugView view) {
   if (!debugViewPass) debugViewPass.emplace(context.library);
   const glm::ivec2 size = plan.levels.front().size;
   const bool levels = view == DebugView::levels;
-  if (levels) return debugViewPass->drawLevels(context, shared->masks, plan).id();
+  if (levels) return debugViewPass->drawLevels(context, shared->zones, plan).id();
   const bool hasEdges = plan.levels.size() > 1;
   return debugViewPass->drawEdges(context, hasEdges ? &shared->edges.edges() : nullptr, size).id();
 }

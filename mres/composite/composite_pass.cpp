@@ -3,7 +3,7 @@
 #include <array>
 #include <string>
 
-#include "mres/mask/stencil_pass.h"
+#include "mres/mask/zone_pass.h"
 
 namespace mres {
 namespace {
@@ -31,17 +31,18 @@ CompositePass::ZonePrograms CompositePass::makeZonePrograms(const gl::ShaderLibr
                                                             const EffectDescription& effect, LevelRole role) {
   return {.blend = makePassProgram(library, "mres/composite.frag", defines(effect, role)),
           .blendProgressively = makePassProgram(library, "mres/composite.frag", defines(effect, role, true)),
-          .upsample = makePassProgram(library, "mres/upsample.frag", defines(effect, role))};
+          .outside = makePassProgram(library, "mres/outside_zone.frag", defines(effect, role))};
 }
 
-const gl::Texture2D& CompositePass::filterAlongX(PassContext& context, LevelTargets& level, bool zoned) {
+const gl::Texture2D& CompositePass::filterAlongX(PassContext& context, const LevelTargets& level,
+                                                 bool zoned) {
   if (!filtered_) return level.raw().color();
   const gl::Scope scope(context.profiler, "mres.filter");
   level.filteredAlongX().bind();
   if (zoned) {
     constexpr std::array<float, 4> kUndefined{};
     glClearBufferfv(GL_COLOR, 0, kUndefined.data());
-    testStencil(GL_EQUAL);
+    drawInZone();
   }
   gl::bindTexture(kSourceUnit, level.raw().color().id(), context.nearest);
   glUseProgram(filter_.id());
@@ -50,7 +51,7 @@ const gl::Texture2D& CompositePass::filterAlongX(PassContext& context, LevelTarg
   return level.filteredAlongX().color();
 }
 
-void CompositePass::drawCoarsest(PassContext& context, LevelTargets& level) {
+void CompositePass::drawCoarsest(PassContext& context, const LevelTargets& level) {
   const gl::Texture2D& source = filterAlongX(context, level, false);
   const gl::Scope scope(context.profiler, "mres.composite");
   gl::bindTexture(kSourceUnit, source.id(), context.nearest);
@@ -59,20 +60,36 @@ void CompositePass::drawCoarsest(PassContext& context, LevelTargets& level) {
   context.triangle.draw();
 }
 
-void CompositePass::draw(PassContext& context, LevelTargets& level, const ZoneInputs& zone) {
+const CompositePass::ZonePrograms& CompositePass::programsOf(const LevelTargets& level) const {
+  return level.role() == LevelRole::intermediate ? intermediate_ : finest_;
+}
+
+void CompositePass::drawOutsideZone(PassContext& context, const LevelTargets& level, const ZoneInputs& inputs,
+                                    const gl::Texture2D& zone) {
+  const gl::Scope scope(context.profiler, "mres.composite");
+  gl::bindTexture(kSourceUnit, zone.id(), context.nearest);
+  gl::bindTexture(kCoarserUnit, inputs.coarser->id(), context.linear);
+  level.composed().bind();
+  glClearBufferiv(GL_STENCIL, 0, &kZone);
+  glEnable(GL_STENCIL_TEST);
+  glStencilFunc(GL_ALWAYS, 0, 0xFF);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+  glUseProgram(programsOf(level).outside.id());
+  context.triangle.draw();
+  glDisable(GL_STENCIL_TEST);
+}
+
+void CompositePass::drawZone(PassContext& context, const LevelTargets& level, const ZoneInputs& inputs) {
   const gl::Texture2D& source = filterAlongX(context, level, true);
   const gl::Scope scope(context.profiler, "mres.composite");
-  const ZonePrograms& programs = level.role() == LevelRole::intermediate ? intermediate_ : finest_;
+  const ZonePrograms& programs = programsOf(level);
   gl::bindTexture(kSourceUnit, source.id(), context.nearest);
-  gl::bindTexture(kCoarserUnit, zone.coarser->id(), context.linear);
-  gl::bindTexture(kMaskUnit, zone.mask->id(), context.linear);
-  if (zone.refine != nullptr) gl::bindTexture(kRefineUnit, zone.refine->id(), context.linear);
+  gl::bindTexture(kCoarserUnit, inputs.coarser->id(), context.linear);
+  gl::bindTexture(kMaskUnit, inputs.mask->id(), context.linear);
+  if (inputs.refine != nullptr) gl::bindTexture(kRefineUnit, inputs.refine->id(), context.linear);
   level.composed().bind();
-  testStencil(GL_NOTEQUAL);
-  glUseProgram(programs.upsample.id());
-  context.triangle.draw();
-  testStencil(GL_EQUAL);
-  glUseProgram(zone.refine != nullptr ? programs.blendProgressively.id() : programs.blend.id());
+  drawInZone();
+  glUseProgram(inputs.refine != nullptr ? programs.blendProgressively.id() : programs.blend.id());
   context.triangle.draw();
   glDisable(GL_STENCIL_TEST);
 }

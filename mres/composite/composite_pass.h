@@ -11,14 +11,19 @@ class CompositePass {
   CompositePass(const gl::ShaderLibrary& library, const EffectDescription& effect);
 
   /// The coarsest level: filtered, nothing below it.
-  void drawCoarsest(PassContext& context, LevelTargets& level);
+  void drawCoarsest(PassContext& context, const LevelTargets& level);
 
-  /// A finer level: the upsampled coarser picture outside of the zone, the blend inside. Needs the frame's
-  /// and the level's blocks bound, depth and normals too where the effect is filtered.
-  void draw(PassContext& context, LevelTargets& level, const ZoneInputs& zone);
+  /// A finer level, before its effect is drawn: the coarser picture outside of the zone, and a stencil of the
+  /// zone. Needs the frame's and the level's blocks bound.
+  void drawOutsideZone(PassContext& context, const LevelTargets& level, const ZoneInputs& inputs,
+                       const gl::Texture2D& zone);
+
+  /// After the effect is drawn: the blend inside of the zone. Needs depth and normals bound too where the
+  /// effect is filtered.
+  void drawZone(PassContext& context, const LevelTargets& level, const ZoneInputs& inputs);
 
  private:
-  const gl::Texture2D& filterAlongX(PassContext& context, LevelTargets& level, bool zoned);
+  const gl::Texture2D& filterAlongX(PassContext& context, const LevelTargets& level, bool zoned);
 
   bool filtered_;
   gl::Program filter_;
@@ -27,10 +32,12 @@ class CompositePass {
   struct ZonePrograms {
     gl::Program blend;
     gl::Program blendProgressively;
-    gl::Program upsample;
+    gl::Program outside;
   };
   static ZonePrograms makeZonePrograms(const gl::ShaderLibrary& library, const EffectDescription& effect,
                                        LevelRole role);
+  [[nodiscard]] const ZonePrograms& programsOf(const LevelTargets& level) const;
+
   ZonePrograms finest_;
   ZonePrograms intermediate_;
 };

@@ -3,16 +3,16 @@
 namespace mres {
 namespace {
 
-constexpr GLuint kHalfMaskUnit = 3;
-constexpr GLuint kQuarterMaskUnit = 4;
+constexpr GLuint kHalfZoneUnit = 3;
+constexpr GLuint kQuarterZoneUnit = 4;
 
 }  // namespace
 
 DebugViewPass::DebugViewPass(const gl::ShaderLibrary& library)
     : edges_(makePassProgram(library, "mres/debug_view.frag", "#define VIEW_LEVELS 0\n")),
       levels_(makePassProgram(library, "mres/debug_view.frag", "#define VIEW_LEVELS 1\n")) {
-  levels_.setTextureUnit("halfMask", kHalfMaskUnit);
-  levels_.setTextureUnit("quarterMask", kQuarterMaskUnit);
+  levels_.setTextureUnit("halfZone", kHalfZoneUnit);
+  levels_.setTextureUnit("quarterZone", kQuarterZoneUnit);
 }
 
 const gl::Texture2D& DebugViewPass::drawEdges(PassContext& context, const gl::Texture2D* edges,
@@ -22,14 +22,14 @@ const gl::Texture2D& DebugViewPass::drawEdges(PassContext& context, const gl::Te
   return target_.color();
 }
 
-const gl::Texture2D& DebugViewPass::drawLevels(PassContext& context, const MaskPass& masks,
+const gl::Texture2D& DebugViewPass::drawLevels(PassContext& context, const ZonePass& zones,
                                                const LevelPlan& plan) {
-  constexpr std::array<GLuint, kMaxLevels - 1> kUnits = {kSourceUnit, kHalfMaskUnit, kQuarterMaskUnit};
+  constexpr std::array<GLuint, kMaxLevels - 1> kUnits = {kSourceUnit, kHalfZoneUnit, kQuarterZoneUnit};
   glm::ivec4 used(0);
   for (std::size_t i = 0; i + 1 < plan.levels.size(); ++i) {
     const int index = plan.levels[i].index;
     used[index] = 1;
-    gl::bindTexture(kUnits.at(static_cast<std::size_t>(index)), masks.mask(index).id(), context.linear);
+    gl::bindTexture(kUnits.at(static_cast<std::size_t>(index)), zones.zone(index).id(), context.nearest);
   }
   glUseProgram(levels_.id());
   glUniform4iv(levels_.uniformLocation("levelUsed"), 1, &used.x);

@@ -2,7 +2,7 @@
 
 #include "mres/gl/render_target.h"
 #include "mres/level/pass_context.h"
-#include "mres/mask/mask_pass.h"
+#include "mres/mask/zone_pass.h"
 #include "mres/plan/level_plan.h"
 
 namespace mres {
@@ -14,7 +14,7 @@ class DebugViewPass {
 
   /// `edges` is null where the frame needed none: the picture is black.
   const gl::Texture2D& drawEdges(PassContext& context, const gl::Texture2D* edges, glm::ivec2 fullSize);
-  const gl::Texture2D& drawLevels(PassContext& context, const MaskPass& masks, const LevelPlan& plan);
+  const gl::Texture2D& drawLevels(PassContext& context, const ZonePass& zones, const LevelPlan& plan);
 
  private:
   void draw(PassContext& context, const gl::Program& program, glm::ivec2 fullSize);

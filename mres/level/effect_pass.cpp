@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "mres/mask/stencil_pass.h"
+#include "mres/mask/zone_pass.h"
 
 namespace mres {
 namespace {
@@ -46,7 +46,7 @@ void EffectPass::draw(PassContext& context, int level, bool zoned) {
     // Filter depth 0 marks what was not rendered, so that the filter never reads it.
     constexpr std::array<float, 4> kUndefined{};
     glClearBufferfv(GL_COLOR, 0, kUndefined.data());
-    testStencil(GL_EQUAL);
+    drawInZone();
   }
   glUseProgram(program_.id());
   context.triangle.draw();

@@ -10,6 +10,7 @@ gl::Program makePassProgram(const gl::ShaderLibrary& library, const char* fragme
   program.setTextureUnit("normalTexture", kNormalUnit);
   program.setTextureUnit("sourceTexture", kSourceUnit);
   program.setTextureUnit("levelTexture", kSourceUnit);
+  program.setTextureUnit("zoneTexture", kSourceUnit);
   program.setTextureUnit("depthPyramid", kSourceUnit);
   program.setTextureUnit("coarserTexture", kCoarserUnit);
   program.setTextureUnit("maskTexture", kMaskUnit);

@@ -1,8 +1,10 @@
 #version 330 core
-// Pictures of the decision. VIEW_LEVELS: colour of the finest level whose mask is above zero; else the edge image.
-uniform sampler2D sourceTexture;  // edges, or the mask of level 0
-uniform sampler2D halfMask;
-uniform sampler2D quarterMask;
+// Pictures of the decision. VIEW_LEVELS: colour of the finest level that renders a pixel; else the edge image.
+#include "mres/level_params.h"
+
+uniform sampler2D sourceTexture;  // edges, or the zone of level 0
+uniform sampler2D halfZone;
+uniform sampler2D quarterZone;
 uniform ivec4 levelUsed;  // of levels 0, 1, 2: 1 if the frame rendered it and a coarser one
 uniform int coarsestLevel;
 
@@ -10,17 +12,16 @@ const vec3 kLevelColors[4] = vec3[4](vec3(0.95, 0.2, 0.15), vec3(0.15, 0.8, 0.25
 
 out vec4 fragment;
 
-// The mask of level i has texels of 2^(i + 1) pixels.
-bool inZone(sampler2D mask, float texelPixels) {
-    return texture(mask, gl_FragCoord.xy / (texelPixels * vec2(textureSize(mask, 0)))).r > 0.0;
+bool inZone(sampler2D zone, int levelStride) {
+    return texelFetch(zone, ivec2(gl_FragCoord.xy) / (levelStride * ZONE_BLOCK), 0).r > 0.0;
 }
 
 void main() {
 #if VIEW_LEVELS
     vec3 color = kLevelColors[coarsestLevel];
-    if (levelUsed.z == 1 && inZone(quarterMask, 8.0)) color = kLevelColors[2];
-    if (levelUsed.y == 1 && inZone(halfMask, 4.0)) color = kLevelColors[1];
-    if (levelUsed.x == 1 && inZone(sourceTexture, 2.0)) color = kLevelColors[0];
+    if (levelUsed.z == 1 && inZone(quarterZone, 4)) color = kLevelColors[2];
+    if (levelUsed.y == 1 && inZone(halfZone, 2)) color = kLevelColors[1];
+    if (levelUsed.x == 1 && inZone(sourceTexture, 1)) color = kLevelColors[0];
     fragment = vec4(color, 1.0);
 #else
     fragment = vec4(texelFetch(sourceTexture, ivec2(gl_FragCoord.xy) / 2, 0).rg, 0.0, 1.0);

@@ -2,6 +2,8 @@
 #pragma once
 #include "common/params.h"
 
+#define ZONE_BLOCK 4  // pixels: llvmpipe shades blocks of 4x4, GPUs quads of 2x2
+
 BEGIN_PARAMS
 
 UNIFORM_BLOCK(LevelParams) {

@@ -86,7 +86,7 @@ TEST_F(ShaderReload, TakesAnEffectFromDiskAndBack) {
 TEST_F(ShaderReload, KeepsTheOldShadersIfOneIsBroken) {
   const Picture before = render();
   for (const char* name : {"effects/ssao.glsl", "mres/composite.frag", "mres/edges.frag", "mres/filter.glsl",
-                           "mres/stencil.frag", "mres/debug_view.frag", "mres/mask_blur.frag"}) {
+                           "mres/zone.frag", "mres/debug_view.frag", "mres/mask_blur.frag"}) {
     const bool isMain = std::string(name).ends_with(".frag");
     write(name, std::string(isMain ? "#version 330 core" : "") + "\nthis is no GLSL\n");
     EXPECT_THAT([&] { multiResolution_->reloadShaders(); },

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+
+#include "mres/gl/render_target.h"
+#include "mres/level/level_targets.h"
+#include "mres/level/pass_context.h"
+
+namespace mres {
+
+/// The stencil value of a level's zone; elsewhere it is 0.
+inline constexpr GLint kZone = 1;
+
+/// Finds where each level renders, in blocks of ZONE_BLOCK x ZONE_BLOCK of its pixels: where its mask is
+/// above zero (section 4.1 of the paper) and, where the coarser level has a say, refining makes a difference
+/// (the progressive decomposition of section 6).
+class ZonePass {
+ public:
+  explicit ZonePass(const gl::ShaderLibrary& library);
+
+  /// Needs the frame's and the level's blocks bound.
+  void draw(PassContext& context, const PlannedLevel& level, const ZoneInputs& inputs);
+
+  /// GL_R8, ceil(level size / ZONE_BLOCK): 1 where the level renders.
+  [[nodiscard]] const gl::Texture2D& zone(int level) const { return zones_.at(slot(level)).color(); }
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  static std::size_t slot(int level) { return static_cast<std::size_t>(level); }
+
+  gl::Program byMask_;
+  gl::Program byMaskAndRefinement_;
+  std::array<gl::RenderTarget, kMaxLevels - 1> zones_;
+};
+
+/// Draws pass only in the zone, and leave the stencil as it is.
+void drawInZone();
+
+}  // namespace mres
