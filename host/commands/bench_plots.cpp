@@ -125,7 +125,8 @@ std::string stageShares(const std::vector<Json>& results) {
   return block + "\nEOD\n" + axes("Where the technique's time goes", "", "share of the time, %") +
          fmt::format(
              "set style data histograms\nset style histogram rowstacked\nset style fill solid 0.9\n"
-             "set boxwidth 0.8\nset yrange [0:100]\nset xtics rotate by -35\nset key invert\n"
+             "set boxwidth 0.8\nset yrange [0:100]\nset xtics rotate by 90 right\nset bmargin 13\nset key "
+             "invert\n"
              "plot for [column=2:{}] $stages using column:xtic(1) title columnheader(column)\n",
              names.size() + 1);
 }

@@ -23,7 +23,6 @@ std::vector<BenchCase> quickSuite() {
       {"hall", 0, k1440p, kSamples},
       {"hall", 0, k4k, kSamples},
       {"hall", 0, k1080p, 16},
-      {"hall", 0, k1080p, 32},
       {"hall", 0, k1080p, 128},
       {"hall", 3, k1080p, kSamples},
       {"office", 0, k1080p, kSamples, true},

@@ -15,9 +15,10 @@ namespace host {
 namespace fs = std::filesystem;
 namespace {
 
-// Colours that colour-blind people can tell apart: Okabe and Ito, "Color Universal Design" (2008).
+// Colours that colour-blind people can tell apart: Okabe and Ito, "Color Universal Design" (2008), then those
+// of Tol, "Colour Schemes" (2021), that are not near them.
 constexpr const char* kStyle =
-    R"(set terminal svg size 760,440 font "sans-serif,13" background rgb "white" noenhanced
+    R"(set terminal svg size 820,540 font "sans-serif,13" background rgb "white" noenhanced
 set border 3 linecolor rgb "#555555"
 set tics nomirror
 set grid linecolor rgb "#dddddd"
@@ -30,6 +31,10 @@ set linetype 5 linecolor rgb "#e69f00" linewidth 2 pointtype 13
 set linetype 6 linecolor rgb "#56b4e9" linewidth 2 pointtype 4
 set linetype 7 linecolor rgb "#f0e442" linewidth 2 pointtype 6
 set linetype 8 linecolor rgb "#555555" linewidth 2 pointtype 8
+set linetype 9 linecolor rgb "#882255" linewidth 2 pointtype 10
+set linetype 10 linecolor rgb "#117733" linewidth 2 pointtype 12
+set linetype 11 linecolor rgb "#332288" linewidth 2 pointtype 1
+set linetype 12 linecolor rgb "#999933" linewidth 2 pointtype 2
 )";
 
 /// Redirections of a child's streams.

@@ -9,7 +9,9 @@
 namespace host {
 namespace {
 
-constexpr int kInspectedFrames = 3;
+// More frames make a steadier median; slow frames vary less, so few of them will do.
+constexpr int kMostInspectedFrames = 5;
+constexpr double kEnoughInspectedMs = 1000.0;
 
 std::string stageName(std::string_view scope) {
   constexpr std::string_view kPrefix = "mres.";
@@ -80,10 +82,12 @@ void inspect(EffectInstance& instance, const mres::Frame& frame, Measurement& me
   instance.render(frame);  // compiles the variants that measuring needs
   instance.multiResolution().setProfiling(mres::gl::Profiler::Mode::finish);
   std::vector<std::vector<StageCost>> frames;
-  for (int i = 0; i < kInspectedFrames; ++i) {
+  double spentMs = 0.0;
+  do {
     instance.render(frame);
     frames.push_back(stagesOf(instance.multiResolution().report()));
-  }
+    for (const StageCost& stage : frames.back()) spentMs += stage.milliseconds;
+  } while (frames.size() < kMostInspectedFrames && spentMs < kEnoughInspectedMs);
   instance.multiResolution().setProfiling(mres::gl::Profiler::Mode::off);
 
   const mres::Report& report = instance.multiResolution().report();
