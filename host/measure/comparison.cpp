@@ -25,14 +25,19 @@ Measurement Comparison::measure(const ComparisonRequest& request, const PairObse
 
   Measurement measurement = describePicture(scene_, settings_, request.camera, request.size);
   measurement.reference = nameOf(kReference);
+  const Work renderTechnique = [this] { techniqueTexture_ = technique_.render(frame_); };
+  const Work renderReference = [this] { referenceTexture_ = reference_.render(frame_); };
   if (request.timing) {
     const GlTimer timer(softwareRasterizer_);
-    measurement.times =
-        timeInterleaved([this] { technique_.render(frame_); }, [this] { reference_.render(frame_); },
-                        [&timer](const Work& work) { return timer(work); }, *request.timing, observe);
+    measurement.times = timeInterleaved(
+        renderTechnique, renderReference, [&timer](const Work& work) { return timer(work); }, *request.timing,
+        observe);
+  } else {
+    renderTechnique();
+    renderReference();
   }
-  techniqueValues_ = readTexture(technique_.render(frame_), request.size, 1);
-  referenceValues_ = readTexture(reference_.render(frame_), request.size, 1);
+  techniqueValues_ = readTexture(techniqueTexture_, request.size, 1);
+  referenceValues_ = readTexture(referenceTexture_, request.size, 1);
   measurement.error = compareImages(techniqueValues_, referenceValues_);
   inspect(inspected_, frame_, measurement);
   return measurement;
@@ -45,8 +50,8 @@ FloatImage Comparison::litBy(GLuint effect) {
 
 ComparisonPictures Comparison::pictures() {
   ComparisonPictures pictures;
-  pictures.reference = litBy(reference_.render(frame_));
-  pictures.technique = litBy(technique_.render(frame_));
+  pictures.reference = litBy(referenceTexture_);
+  pictures.technique = litBy(techniqueTexture_);
   pictures.referenceEffect = referenceValues_;
   pictures.techniqueEffect = techniqueValues_;
   pictures.difference = differenceImage(techniqueValues_, referenceValues_, kDifferenceEnhancement);

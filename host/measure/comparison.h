@@ -54,6 +54,8 @@ class Comparison {
   EffectInstance reference_;
   EffectInstance inspected_;
   mres::Frame frame_;
+  GLuint techniqueTexture_ = 0;
+  GLuint referenceTexture_ = 0;
   FloatImage techniqueValues_;
   FloatImage referenceValues_;
 };

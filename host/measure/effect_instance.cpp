@@ -10,7 +10,7 @@ namespace host {
 namespace {
 
 // More frames make a steadier median; slow frames vary less, so few of them will do.
-constexpr int kMostInspectedFrames = 5;
+constexpr int kMostInspectedFrames = 3;
 constexpr double kEnoughInspectedMs = 1000.0;
 
 std::string stageName(std::string_view scope) {
