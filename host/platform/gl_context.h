@@ -19,6 +19,8 @@ class GlContext {
   ~GlContext();
   GlContext(const GlContext&) = delete;
   GlContext& operator=(const GlContext&) = delete;
+  GlContext(GlContext&&) = delete;
+  GlContext& operator=(GlContext&&) = delete;
 
   struct Info {
     std::string renderer;

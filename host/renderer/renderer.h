@@ -35,6 +35,8 @@ class Renderer {
   ~Renderer();
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
+  Renderer(Renderer&&) = delete;
+  Renderer& operator=(Renderer&&) = delete;
 
   /// Draws the shadow map (unless it is the same as before) and the G-buffer for `camera`. Throws
   /// std::runtime_error with a sentence if the device cannot draw pictures of that size.

@@ -226,11 +226,11 @@ TEST_F(GBufferTest, MissingNormalsAndTangentsAreReplacedByTheTrianglesOwn) {
 
 TEST_F(GBufferTest, FarFromTheOriginThePictureStaysTheSame) {
   const glm::vec3 far(65536.0f, 8192.0f, -32768.0f);  // floats there are 1/128 m apart
-  const auto draw = [&](glm::vec3 place_) {
+  const auto draw = [&](glm::vec3 offset) {
     Scene scene = darkScene();
-    place(scene, cube(), chalk(), glm::translate(glm::mat4(1.0f), place_));
+    place(scene, cube(), chalk(), glm::translate(glm::mat4(1.0f), offset));
     Camera camera = lookAt("", glm::vec3(2.0f, 3.0f, 5.0f), glm::vec3(0.0f), 50.0f);
-    camera.position += place_;
+    camera.position += offset;
     return drawGBuffer(scene, camera);
   };
   const GBuffer near = draw(glm::vec3(0.0f));

@@ -88,7 +88,7 @@ TEST_F(RendererFacadeTest, RefusesImpossibleSizesWithASentence) {
 TEST(FrustumTest, KeepsWhatMayBeSeenAndCullsWhatIsOutside) {
   const Camera camera = frontCamera(10.0f);
   const Frustum frustum(projectionMatrix(camera, 1.0f) * viewMatrix(camera));
-  const auto box = [](glm::vec3 centre_) { return Bounds{centre_ - 0.5f, centre_ + 0.5f}; };
+  const auto box = [](glm::vec3 middle) { return Bounds{middle - 0.5f, middle + 0.5f}; };
   EXPECT_TRUE(frustum.mayIntersect(box(glm::vec3(0.0f))));
   EXPECT_TRUE(frustum.mayIntersect(box({0.0f, 0.0f, 10.0f})));  // around the camera
   EXPECT_TRUE(frustum.mayIntersect(box({4.0f, 0.0f, 0.0f})));   // reaches in from the side
