@@ -103,11 +103,12 @@ void MultiResolution::Implementation::bindFrame(const Frame& frame, const params
 void MultiResolution::Implementation::uploadLevels(EffectPass& effect, glm::ivec2 fullSize) {
   for (std::size_t i = 0; i < plan.levels.size(); ++i) {
     const PlannedLevel& level = plan.levels[i];
-    const PlannedLevel* coarser = isCoarsest(i) ? nullptr : &plan.levels[i + 1];
+    const LevelNeighbours neighbours{level, isCoarsest(i) ? nullptr : &plan.levels[i + 1],
+                                     i == 0 ? nullptr : &plan.levels[i - 1]};
     const LevelRole zoned = i == 0 ? LevelRole::finest : LevelRole::intermediate;
     LevelTargets& targets = effect.targets(level.index);
     targets.ensure(effect.effect(), level.size, isCoarsest(i) ? LevelRole::coarsest : zoned);
-    targets.params().upload(levelParams(level, coarser, fullSize, settings.mask.refineThreshold));
+    targets.params().upload(levelParams(neighbours, fullSize, settings.mask.refineThreshold));
   }
 }
 

@@ -21,7 +21,7 @@ enum class Technique {
 struct MaskSettings {
   float normalThreshold = 20.0f;  ///< degrees, [0, 180]. Neighbours' normals further apart are an edge.
   float depthThreshold = 0.05f;   ///< metres, [0, 100]. Larger steps in depth, off a plane, are an edge.
-  float refineThreshold = 0.03f;  ///< [0, 1] of the effect's range. Least gain worth refining; 0: any.
+  float refineThreshold = 0.05f;  ///< [0, 1] of the effect's range. Least gain worth refining; 0: any.
 };
 
 template <class Visitor>

@@ -66,7 +66,7 @@ const CompositePass::ZonePrograms& CompositePass::programsOf(const LevelTargets&
 
 void CompositePass::drawOutsideZone(PassContext& context, const LevelTargets& level, const ZoneInputs& inputs,
                                     const gl::Texture2D& zone) {
-  const gl::Scope scope(context.profiler, "mres.composite");
+  const gl::Scope scope(context.profiler, "mres.upsample");
   gl::bindTexture(kSourceUnit, zone.id(), context.nearest);
   gl::bindTexture(kCoarserUnit, inputs.coarser->id(), context.linear);
   level.composed().bind();

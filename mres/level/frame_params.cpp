@@ -63,12 +63,35 @@ bool isReversed(const glm::dvec4& linearise) {
   return distance(atZero) > distance(atOne);
 }
 
-/// Half floats hold 2^-14..65504: the nearest surface goes to 1/16 in perspective, the farthest to 1024
-/// otherwise.
-double halfFloatScale(const glm::dvec4& linearise, bool perspective, bool reversed) {
-  const double near = std::abs(viewDepthAt(linearise, reversed ? 1.0 : 0.0));
-  const double far = std::abs(viewDepthAt(linearise, reversed ? 0.0 : 1.0));
-  return perspective ? 1.0 / (16.0 * std::max(near, 1e-30)) : 1024.0 / std::max({near, far, 1e-30});
+/// Scale and offset of filter depth, as the shaders have it. Half floats hold 2^-14..65504. In perspective
+/// their relative precision is just right, and the nearest surface goes to 1/16; parallel views, in which the
+/// near plane may lie behind the eye, spread evenly from 1/16 to 1024.
+glm::dvec2 filterDepthMap(double near, double far, bool perspective) {
+  constexpr double kNearest = 1.0 / 16.0;
+  constexpr double kFarthest = 1024.0;
+  if (perspective) return {kNearest / std::max(near, 1e-30), 0.0};
+  const double scale = (kFarthest - kNearest) / std::max(far - near, 1e-30);
+  return {scale, kNearest - near * scale};
+}
+
+/// Scale and offset of the filter's tolerance: a centimetre at two metres, and in parallel views what that is
+/// for a camera of 60 degrees that sees as much, but no less than the steps of half floats are there.
+glm::dvec2 filterTolerance(const Frame& frame, double range, bool perspective) {
+  constexpr double kToleranceOverDepth = 0.005;
+  constexpr double kHalfFloatStep = 1.0 / 2048.0;
+  if (perspective) return {kToleranceOverDepth, 0.0};
+  const double distance =
+      1.0 / (std::abs(static_cast<double>(frame.projection[1][1])) * std::tan(glm::radians(30.0)));
+  return {0.0, std::max(kToleranceOverDepth * distance, kHalfFloatStep * range)};
+}
+
+void setFilterDepth(const Frame& frame, const glm::dvec4& linearise, bool reversed,
+                    params::FrameParams& params) {
+  const bool perspective = frame.projection[2][3] != 0.0f;
+  const double near = viewDepthAt(linearise, reversed ? 1.0 : 0.0);
+  const double far = viewDepthAt(linearise, reversed ? 0.0 : 1.0);
+  params.filterDepth = filterDepthMap(near, far, perspective);
+  params.filterTolerance = filterTolerance(frame, far - near, perspective);
 }
 
 void setUnprojection(const Frame& frame, params::FrameParams& params) {
@@ -99,14 +122,13 @@ params::FrameParams frameParams(const Frame& frame) {
   setUnprojection(frame, params);
 
   const glm::dvec4 linearise = lineariseCoefficients(frame);
-  const bool perspective = frame.projection[2][3] != 0.0f;
   const bool reversed = isReversed(linearise);
   params.linearise = glm::vec4(linearise);
   params.normalDecode =
       frame.normalEncoding == NormalEncoding::unsignedXyz ? glm::vec2(2.0f, -1.0f) : glm::vec2(1.0f, 0.0f);
   params.size = frame.size;
   params.backgroundDepth = reversed ? 0.0f : 1.0f;
-  params.filterDepthScale = static_cast<float>(halfFloatScale(linearise, perspective, reversed));
+  setFilterDepth(frame, linearise, reversed, params);
   params.pixelsPerMetre = std::abs(frame.projection[1][1]) * halfSize.y;
   params.pyramidLevels = depthPyramidLevels(frame.size);
   return params;

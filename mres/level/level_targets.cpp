@@ -1,14 +1,23 @@
 #include "mres/level/level_targets.h"
 
+#include <cmath>
+
 namespace mres {
 namespace {
 
-/// Off-plane distance over view depth up to which the filter fully trusts a neighbour: a centimetre at two
-/// metres.
-constexpr float kFilterTolerance = 0.005f;
-
 /// A picture, and where to refine it.
 constexpr GLint kMaxColors = 2;
+
+/// Where a size is no multiple of the stride, the coarser level's last pixel is evaluated at the last pixel
+/// of the screen, nearer to its neighbour than the others are: how pixels in between count
+/// (LevelParams::lastInterval).
+glm::vec4 lastInterval(const PlannedLevel& coarser, glm::ivec2 fullSize) {
+  const int stride = 1 << coarser.index;
+  const glm::ivec2 beforeLast = (coarser.size - 2) * stride + stride / 2;
+  const glm::ivec2 length = glm::min(glm::ivec2(stride), fullSize - 1 - beforeLast);
+  const glm::vec2 more = static_cast<float>(stride) / glm::vec2(glm::max(length, glm::ivec2(1))) - 1.0f;
+  return {glm::vec2(beforeLast), more};
+}
 
 }  // namespace
 
@@ -42,23 +51,27 @@ void LevelTargets::fill(float value) const {
   }
 }
 
-params::LevelParams levelParams(const PlannedLevel& level, const PlannedLevel* coarser, glm::ivec2 fullSize,
-                                float refineThreshold) {
+params::LevelParams levelParams(const LevelNeighbours& level, glm::ivec2 fullSize, float refineThreshold) {
   params::LevelParams params{};
-  const int stride = 1 << level.index;
-  params.levelSize = level.size;
+  const int stride = 1 << level.level.index;
+  params.levelSize = level.level.size;
   params.levelStride = stride;
   params.levelHalfStride = stride / 2;
-  if (coarser != nullptr) {
+  if (level.coarser != nullptr) {
     // Texel p of the coarser level sits at full-resolution pixel p * stride + stride / 2, so pixel x lies at
     // texel (x - stride / 2) / stride; texel centres are half a texel on, which cancels.
-    params.coarserFromPixel = 1.0f / (static_cast<float>(1 << coarser->index) * glm::vec2(coarser->size));
+    const PlannedLevel& coarser = *level.coarser;
+    params.coarserFromPixel = 1.0f / (static_cast<float>(1 << coarser.index) * glm::vec2(coarser.size));
+    params.lastInterval = lastInterval(coarser, fullSize);
+    if (level.finer != nullptr) params.refineReach = 1.0f / glm::vec2(coarser.size);
   }
   params.maskFromPixel =
-      1.0f / (static_cast<float>(2 * stride) * glm::vec2(levelSize(fullSize, level.index + 1)));
-  params.blendWeight = level.settings.blendWeight;
-  params.refineThreshold = refineThreshold;
-  params.filterTolerance = kFilterTolerance;
+      1.0f / (static_cast<float>(2 * stride) * glm::vec2(levelSize(fullSize, level.level.index + 1)));
+  params.blendWeight = level.level.settings.blendWeight;
+  if (level.finer != nullptr) {
+    // Of what shows, a level sees a quarter of what the next finer one does.
+    params.refineThreshold = std::ldexp(refineThreshold, -2 * level.finer->index);
+  }
   return params;
 }
 

@@ -49,8 +49,14 @@ struct ZoneInputs {
   const gl::Texture2D* refine = nullptr;   ///< where the coarser level saw a difference; null: it has no say
 };
 
-/// The block of a level whose coarser neighbour is `coarser` (null for the coarsest).
-params::LevelParams levelParams(const PlannedLevel& level, const PlannedLevel* coarser, glm::ivec2 fullSize,
-                                float refineThreshold);
+/// A level among those that a frame renders; null where there is no coarser or finer one.
+struct LevelNeighbours {
+  const PlannedLevel& level;
+  const PlannedLevel* coarser = nullptr;
+  const PlannedLevel* finer = nullptr;
+};
+
+/// The block of a level.
+params::LevelParams levelParams(const LevelNeighbours& level, glm::ivec2 fullSize, float refineThreshold);
 
 }  // namespace mres

@@ -9,6 +9,12 @@
 namespace mres {
 namespace {
 
+/// Unit vectors at an angle a differ by 2 sin(a / 2).
+float normalDifference2(float degrees, float decodeScale) {
+  const float difference = 2.0f * std::sin(0.5f * glm::radians(degrees)) / decodeScale;
+  return difference * difference;
+}
+
 /// The second difference of three rounded depths is off by two steps at most; rasterisers add as much again.
 /// Steps of fixed-point depth are constant, those of floating-point depth proportional to it.
 glm::vec2 depthRounding() {
@@ -34,7 +40,7 @@ void EdgePass::draw(PassContext& context, const MaskSettings& settings, const pa
 
   const glm::vec4& l = frame.linearise;
   params_.upload({.depthSlope = {std::abs(l.y * l.z - l.x * l.w), l.z, l.w, 0.0f},
-                  .normalCosine = std::cos(glm::radians(settings.normalThreshold)),
+                  .normalDifference2 = normalDifference2(settings.normalThreshold, frame.normalDecode.x),
                   .depthThreshold = settings.depthThreshold,
                   .depthRounding = depthRounding()});
   params_.bind(kPassBlock);

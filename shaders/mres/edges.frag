@@ -15,8 +15,9 @@ float depthAt(ivec2 pixel) {
     return texelFetch(depthTexture, pixel, 0).r;
 }
 
+// As it is encoded: differences of it are differences of normals but for a factor.
 vec3 normalAt(ivec2 pixel) {
-    return texelFetch(normalTexture, min(pixel, size - 1), 0).xyz * normalDecode.x + normalDecode.y;
+    return texelFetch(normalTexture, min(pixel, size - 1), 0).xyz;
 }
 
 float slopeRoot(float windowDepth) {
@@ -32,14 +33,13 @@ float bend(float a, float b, float c, float d) {
     return max(secondDifference(a, b, c), secondDifference(b, c, d));
 }
 
-// Background has no normal (length zero): its borders are depth edges.
 bool isNormalEdge(vec3 a, vec3 b) {
-    float lengths = dot(a, a) * dot(b, b);
-    return lengths > 0.25 && dot(a, b) < normalCosine * sqrt(lengths);
+    vec3 difference = a - b;
+    return dot(difference, difference) > normalDifference2;
 }
 
 // Pixels at the border lack a neighbour, and so a second derivative: there the 4x4 pixels are moved inside.
-bool hasDepthEdge(ivec2 texelCorner) {
+bool hasDepthEdge(ivec2 texelCorner, out bool background) {
     ivec2 corner = clamp(texelCorner, ivec2(1), size - 3);
     float d00 = depthAt(corner), d10 = depthAt(corner + ivec2(1, 0));
     float d01 = depthAt(corner + ivec2(0, 1)), d11 = depthAt(corner + ivec2(1, 1));
@@ -54,6 +54,7 @@ bool hasDepthEdge(ivec2 texelCorner) {
     vec4 high = max(inside, max(alongX, alongY));
     float lowest = min(min(low.x, low.y), min(low.z, low.w));
     float highest = max(max(high.x, high.y), max(high.z, high.w));
+    background = lowest == backgroundDepth && highest == backgroundDepth;
     float slopeRoots = slopeRoot(lowest) * slopeRoot(highest);  // 0 where one is infinitely far
     return largest > depthRounding.x + depthRounding.y * highest &&
            largest * depthSlope.x > depthThreshold * slopeRoots;
@@ -71,5 +72,7 @@ bool hasNormalEdge(ivec2 corner) {
 
 void main() {
     ivec2 corner = ivec2(gl_FragCoord.xy) * 2;
-    fragment = vec2(hasNormalEdge(corner), hasDepthEdge(corner));
+    bool background;
+    bool depthEdge = hasDepthEdge(corner, background);
+    fragment = vec2(!background && hasNormalEdge(corner), depthEdge);  // what the sky has for normals means nothing
 }

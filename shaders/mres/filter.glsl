@@ -1,6 +1,7 @@
 // The depth-aware filter that integrates the effects' repeating 4x4 patterns exactly: five taps weighted
 // 1/8 1/4 1/4 1/4 1/8 (a period of four, symmetric about the pixel), one axis a pass, each tap trusted as far as
 // it lies on the centre's tangent plane. A tap that was not rendered has filter depth 0 and no weight.
+#include "mres/filter_depth.glsl"
 #include "mres/frame.glsl"
 #include "mres/level.glsl"
 
@@ -16,36 +17,65 @@ uniform sampler2D levelTexture;  // value, then filter depth
 #define FILTER_DEPTH(texel) texel.a
 #endif
 
-vec3 filterPosition(ivec2 levelPixel, float filterDepth) {
-    vec2 pixel = vec2(representativePixel(levelPixel, size)) + 0.5;
-    return unproject(pixel, filterDepth / filterDepthScale);
+// A pixel's tangent plane, met along an axis of the screen. How far the point of another pixel on that axis lies along
+// the plane's normal is linear in the pixel and in the point's depth: depth * (scaled + pixels * scaledStep) + constant +
+// pixels * constantStep.
+struct PlaneAlong {
+    float scaled, scaledStep;
+    float constant, constantStep;  // zero for perspective cameras
+    float offset;                  // of the plane itself
+    float inverseTolerance;
+};
+
+PlaneAlong tangentPlane(ivec2 axis, ivec2 fullPixel, float viewDepth) {
+    vec3 normal = viewNormal(fullPixel);
+    vec2 pixel = vec2(fullPixel) + 0.5;
+    PlaneAlong plane;
+    plane.scaled = dot(normal.xy, pixel * unprojectScaled.xy + unprojectScaled.zw) - normal.z;
+    plane.scaledStep = dot(normal.xy * vec2(axis), unprojectScaled.xy);
+    plane.constant = dot(normal.xy, pixel * unprojectConstant.xy + unprojectConstant.zw);
+    plane.constantStep = dot(normal.xy * vec2(axis), unprojectConstant.xy);
+    plane.offset = viewDepth * plane.scaled + plane.constant;
+    plane.inverseTolerance = 1.0 / filterToleranceAt(viewDepth);
+    return plane;
 }
 
-void addTap(ivec2 levelPixel, float kernelWeight, vec3 planeNormal, float planeOffset, float tolerance,
-            Value centre, inout Value sum, inout float weightSum) {
-    ivec2 inside = clamp(levelPixel, ivec2(0), levelSize - 1);
-    vec4 texel = texelFetch(levelTexture, inside, 0);
-    float offPlane = abs(dot(planeNormal, filterPosition(inside, FILTER_DEPTH(texel))) - planeOffset);
-    // Written so that a NaN (no normal, no surface) ends in no weight.
-    if (FILTER_DEPTH(texel) <= 0.0 || !(offPlane < 2.0 * tolerance)) return;
-    float trust = min(2.0 - offPlane / tolerance, 1.0);
-    sum += (VALUE(texel) - centre) * (kernelWeight * trust);
-    weightSum += kernelWeight * trust;
+// 0..1: whole up to the tolerance, none from twice the tolerance on, nor where there is no plane (NaN).
+float trustIn(PlaneAlong plane, float pixels, float viewDepth) {
+    float along = viewDepth * (plane.scaled + pixels * plane.scaledStep) + (plane.constant + pixels * plane.constantStep);
+    float tolerances = abs(along - plane.offset) * plane.inverseTolerance;
+    return tolerances < 2.0 ? min(2.0 - tolerances, 1.0) : 0.0;
+}
+
+// Off the screen, the pixel of the same phase of the pattern on the other side stands in.
+ivec2 tapInside(ivec2 levelPixel) {
+    ivec2 last = levelSize - 1;
+    ivec2 inside = levelPixel + 4 * (ivec2(lessThan(levelPixel, ivec2(0))) - ivec2(greaterThan(levelPixel, last)));
+    return clamp(inside, ivec2(0), last);
 }
 
 // Filters along `axis` around a pixel of this level; `centre` is that pixel's texel. Sums differences, so that equal
 // values stay what they are, to the last bit.
 Value filterAlong(ivec2 axis, ivec2 levelPixel, vec4 centre) {
-    vec3 normal = viewNormal(representativePixel(levelPixel, size));
-    vec3 position = filterPosition(levelPixel, FILTER_DEPTH(centre));
-    float planeOffset = dot(normal, position);
-    float tolerance = filterTolerance * -position.z;
+    const float kKernel[2] = float[2](0.25, 0.125);
+    ivec2 fullPixel = representativePixel(levelPixel, size);
+    PlaneAlong plane = tangentPlane(axis, fullPixel, viewDepthOfFilter(FILTER_DEPTH(centre)));
+    bool background = isBackgroundFilterDepth(FILTER_DEPTH(centre));
     Value value = VALUE(centre);
     Value sum = Value(0.0);
     float weightSum = 0.25;
-    addTap(levelPixel - 2 * axis, 0.125, normal, planeOffset, tolerance, value, sum, weightSum);
-    addTap(levelPixel - axis, 0.25, normal, planeOffset, tolerance, value, sum, weightSum);
-    addTap(levelPixel + axis, 0.25, normal, planeOffset, tolerance, value, sum, weightSum);
-    addTap(levelPixel + 2 * axis, 0.125, normal, planeOffset, tolerance, value, sum, weightSum);
+    for (int i = 0; i < 4; ++i) {
+        int distance = 1 + (i >> 1);
+        ivec2 tap = tapInside(levelPixel + axis * ((i & 1) == 0 ? distance : -distance));
+        vec4 texel = texelFetch(levelTexture, tap, 0);
+        ivec2 pixels = representativePixel(tap, size) - fullPixel;
+        float trust = trustIn(plane, float(pixels.x + pixels.y), viewDepthOfFilter(FILTER_DEPTH(texel)));
+        bool rendered = FILTER_DEPTH(texel) > 0.0;
+        bool sameKind = isBackgroundFilterDepth(FILTER_DEPTH(texel)) == background;
+        float weight = rendered && sameKind ? kKernel[i >> 1] * trust : 0.0;
+        // What was not rendered may be anything, even not a number.
+        sum += (weight > 0.0 ? VALUE(texel) - value : Value(0.0)) * weight;
+        weightSum += weight;
+    }
     return value + sum / weightSum;
 }

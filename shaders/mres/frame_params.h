@@ -14,10 +14,12 @@ UNIFORM_BLOCK(FrameParams) {
     vec4 linearise;          // view depth = (.x + .y * window depth) / (.z + .w * window depth)
     vec2 normalDecode;       // normal = texel * .x + .y
     ivec2 size;              // pixels, full resolution
+    vec2 filterDepth;        // filter depth = view depth * .x + .y: positive, in the range of half floats
+    vec2 filterTolerance;    // distance off its plane at which the filter still trusts a neighbour = view depth * .x + .y
     float backgroundDepth;   // window depth of the far plane
-    float filterDepthScale;  // maps view depth into the range of half floats
     float pixelsPerMetre;    // where clip w is 1
     int pyramidLevels;       // mips of the depth pyramid
+    float framePadding;
 };
 
 END_PARAMS

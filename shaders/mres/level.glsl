@@ -9,12 +9,22 @@ ivec2 representativePixel(ivec2 levelPixel, ivec2 fullSize) {
 }
 
 vec2 coarserCoordinate(ivec2 fullPixel) {
-    return vec2(fullPixel) * coarserFromPixel;
+    vec2 pixel = vec2(fullPixel);
+    return (pixel + max(pixel - lastInterval.xy, 0.0) * lastInterval.zw) * coarserFromPixel;
+}
+
+// Bilinear samples at the corners of a block no larger than two texels see every texel that one inside of it may see.
+float largestAtCorners(sampler2D source, vec2 low, vec2 high) {
+    return max(max(texture(source, low).r, texture(source, vec2(high.x, low.y)).r),
+               max(texture(source, vec2(low.x, high.y)).r, texture(source, high).r));
 }
 
 // The coarser level's word on where refining it shows, 0..1.
 float refinement(sampler2D refineTexture, ivec2 fullPixel) {
-    return min(2.0 * texture(refineTexture, coarserCoordinate(fullPixel)).r, 1.0);
+    vec2 place = coarserCoordinate(fullPixel);
+    if (refineReach == vec2(0.0)) return min(2.0 * texture(refineTexture, place).r, 1.0);
+    vec2 low = place - refineReach, high = place + refineReach;
+    return min(2.0 * largestAtCorners(refineTexture, low, high), 1.0);
 }
 
 vec2 maskCoordinate(ivec2 fullPixel) {

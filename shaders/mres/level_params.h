@@ -13,9 +13,9 @@ UNIFORM_BLOCK(LevelParams) {
     vec2 coarserFromPixel; // texture coordinate in the coarser level per full-resolution pixel
     vec2 maskFromPixel;    // texture coordinate in the mask per full-resolution pixel
     float blendWeight;     // w_i of equation 1, [1, 1000]
-    float refineThreshold; // difference to the coarser level above which the next finer level may render; < 0: always
-    float filterTolerance; // off-plane distance over view depth up to which the filter trusts a neighbour
-    float padding;
+    float refineThreshold; // difference to the coarser level above which the next finer level may render
+    vec2 refineReach;      // texture coordinates by which what the coarser level found is widened
+    vec4 lastInterval;     // the last texel of the coarser level stands nearer: beyond pixel .xy, pixels count .zw more
 };
 
 END_PARAMS

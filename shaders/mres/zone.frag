@@ -10,10 +10,13 @@ uniform sampler2D refineTexture;
 
 out float fragment;
 
-// Bilinear samples at a block's corners see every texel that a bilinear sample inside of the block may see.
-float largestAtCorners(sampler2D blockTexture, vec2 low, vec2 high) {
-    return max(max(texture(blockTexture, low).r, texture(blockTexture, vec2(high.x, low.y)).r),
-               max(texture(blockTexture, vec2(low.x, high.y)).r, texture(blockTexture, high).r));
+// Bilinear samples see every texel that one inside of the block may see, if it is no larger than four texels.
+float largestIn(sampler2D source, vec2 low, vec2 high) {
+    float largest = 0.0;
+    for (int i = 0; i < 9; ++i) {
+        largest = max(largest, texture(source, mix(low, high, 0.5 * vec2(i % 3, i / 3))).r);
+    }
+    return largest;
 }
 
 void main() {
@@ -21,7 +24,9 @@ void main() {
     vec2 high = low + float(ZONE_BLOCK * levelStride);
     fragment = largestAtCorners(maskTexture, low * maskFromPixel, high * maskFromPixel);
 #if PROGRESSIVE
-    fragment = min(fragment, largestAtCorners(refineTexture, low * coarserFromPixel, high * coarserFromPixel));
+    low = low * coarserFromPixel - refineReach;
+    high = high * coarserFromPixel + refineReach;
+    fragment = min(fragment, largestIn(refineTexture, low, high));
 #endif
     fragment = fragment > 0.0 ? 1.0 : 0.0;
 }

@@ -36,6 +36,23 @@ glm::ivec2 representative(glm::ivec2 pixel, int level, glm::ivec2 fullSize) {
   return glm::min(pixel * (1 << level) + (1 << level) / 2, fullSize - 1);
 }
 
+/// Where a pixel of the full resolution lies among the pixels of a coarser level, at which that was
+/// evaluated, along one axis: in texels, with centres at + 0.5.
+double placeAlong(int pixel, int level, int texels, int fullSize) {
+  const auto position = [&](int texel) {
+    return representative(glm::ivec2(texel), level, glm::ivec2(fullSize)).x;
+  };
+  if (pixel < position(0) || texels == 1) return 0.0;  // before the first centre: clamped
+  int left = 0;
+  while (left + 2 < texels && position(left + 1) <= pixel) ++left;
+  return left + 0.5 + static_cast<double>(pixel - position(left)) / (position(left + 1) - position(left));
+}
+
+glm::dvec2 placeIn(const Image& coarser, glm::ivec2 pixel, int level, glm::ivec2 fullSize) {
+  return {placeAlong(pixel.x, level, coarser.size.x, fullSize.x),
+          placeAlong(pixel.y, level, coarser.size.y, fullSize.y)};
+}
+
 /// What a level's picture must be, given the picture of the coarser one (empty for the coarsest).
 Image compose(const PlannedLevel& level, glm::ivec2 fullSize, const Image& mask, const Image& coarser,
               int coarserLevel) {
@@ -45,8 +62,7 @@ Image compose(const PlannedLevel& level, glm::ivec2 fullSize, const Image& mask,
       const glm::ivec2 pixel = representative({x, y}, level.index, fullSize);
       double value = valueAt(pixel, level.index);
       if (!coarser.texels.empty()) {
-        const double stride = std::exp2(coarserLevel);
-        const double below = bilinear(coarser, (glm::dvec2(pixel) - stride / 2.0) / stride + 0.5);
+        const double below = bilinear(coarser, placeIn(coarser, pixel, coarserLevel, fullSize));
         const double a = bilinear(mask, (glm::dvec2(pixel) + 0.5) / std::exp2(level.index + 1));
         const double alpha = std::min(a * static_cast<double>(level.settings.blendWeight), 1.0);
         value = value * alpha + below * (1.0 - alpha);
