@@ -63,9 +63,8 @@ void MaskPass::draw(PassContext& context, const gl::Texture2D& edges, const Leve
       source = &edgesOf(context, index + 1, *source, plan.levels.front().size);
     }
     Level& masked = levels_.at(slot(level.index));
-    // A texel of the mask is two pixels of the level: a variance in pixels^2 is a quarter of it in texels^2.
-    masked.kernel = gaussian(level.settings.maskVariance * 0.25f);
-    masked.kernel.finerRatio = planned == 0 ? 0 : 1 << (level.index - plan.levels[planned - 1].index);
+    setKernel(masked, level.settings.maskVariance,
+              planned == 0 ? 0 : 1 << (level.index - plan.levels[planned - 1].index));
     blur(context, *source, masked, finer);
     finer = &masked;
   }
@@ -82,20 +81,30 @@ const gl::Texture2D& MaskPass::edgesOf(PassContext& context, int level, const gl
   return target.color();
 }
 
+// Kernels hardly ever change: they stay on the GPU.
+void MaskPass::setKernel(Level& level, float variance, int finerRatio) {
+  if (level.variance == variance && level.kernel.finerRatio == finerRatio) return;
+  // A texel of the mask is two pixels of the level: a variance in pixels^2 is a quarter of it in texels^2.
+  level.kernel = gaussian(variance * 0.25f);
+  level.kernel.finerRatio = finerRatio;
+  level.variance = variance;
+  for (int axis = 0; axis < 2; ++axis) {
+    level.kernel.axis = {1 - axis, axis};
+    level.kernelBlocks.at(static_cast<std::size_t>(axis)).upload(level.kernel);
+  }
+}
+
 void MaskPass::blur(PassContext& context, const gl::Texture2D& source, Level& level, const Level* finer) {
   ensure(level.blurredAlongX, source.size(), "mres.masks");
   ensure(level.mask, source.size(), "mres.masks");
-  params_.bind(kPassBlock);
 
-  level.kernel.axis = {1, 0};
-  params_.upload(level.kernel);
+  level.kernelBlocks[0].bind(kPassBlock);
   gl::bindTexture(kSourceUnit, source.id(), context.nearest);
   glUseProgram(blurProgram_.id());
   level.blurredAlongX.bind();
   context.triangle.draw();
 
-  level.kernel.axis = {0, 1};
-  params_.upload(level.kernel);
+  level.kernelBlocks[1].bind(kPassBlock);
   gl::bindTexture(kSourceUnit, level.blurredAlongX.color().id(), context.nearest);
   level.reach = level.kernel.radius;
   if (finer != nullptr && solidRadius(level.kernel) * level.kernel.finerRatio < finer->reach) {

@@ -36,18 +36,20 @@ class MaskPass {
     gl::RenderTarget edges;  // the edge image at the mask's resolution; level 0 uses the detector's own
     gl::RenderTarget blurredAlongX;
     gl::RenderTarget mask;
-    params::MaskBlurParams kernel;
-    int reach = 0;  // texels from an edge up to which the mask may be above zero
+    params::MaskBlurParams kernel{};
+    std::array<gl::UniformBuffer<params::MaskBlurParams>, 2> kernelBlocks;  // along x, along y
+    float variance = -1.0f;  // of the kernel in pixels^2; there is none yet
+    int reach = 0;           // texels from an edge up to which the mask may be above zero
   };
   static std::size_t slot(int level) { return static_cast<std::size_t>(level); }
   const gl::Texture2D& edgesOf(PassContext& context, int level, const gl::Texture2D& finerEdges,
                                glm::ivec2 fullSize);
+  static void setKernel(Level& level, float variance, int finerRatio);
   void blur(PassContext& context, const gl::Texture2D& source, Level& level, const Level* finer);
 
   gl::Program downsampleProgram_;
   gl::Program blurProgram_;
   gl::Program blurJoinProgram_;
-  gl::UniformBuffer<params::MaskBlurParams> params_;
   std::array<Level, kMaxLevels - 1> levels_;
 };
 
