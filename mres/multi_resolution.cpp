@@ -73,6 +73,7 @@ struct MultiResolution::Implementation {
 
   Settings settings;
   bool measureCoverage;
+  GLuint viewports = gl::StateGuard::countViewports();
   PassContext context;
   gl::UniformBuffer<params::FrameParams> frameBlock;
   std::optional<SharedPasses> shared;
@@ -122,7 +123,7 @@ ZoneInputs MultiResolution::Implementation::zoneOf(EffectPass& effect, std::size
 
 GLuint MultiResolution::Implementation::render(Effect& effect, const Frame& frame) {
   const params::FrameParams params = frameParams(frame);
-  const gl::StateGuard guard;
+  const gl::StateGuard guard(viewports);
   context.profiler.beginFrame();
   EffectPasses& passes = passesOf(effect);
   plan = planLevels(settings.technique, effect.levels(), frame.size);
@@ -174,7 +175,7 @@ void MultiResolution::Implementation::fillReport(const EffectPasses& passes) {
   for (const PlannedLevel& level : plan.levels) {
     report.levels.push_back({level.index, level.size, coverage.of(level.index)});
   }
-  report.skipped = plan.skipped;
+  report.skipped.assign(plan.skipped.begin(), plan.skipped.end());
   report.stages = context.profiler.stages();
   report.bytes = passes.effect.bytes() + shared->pyramid.bytes() + shared->edges.bytes() +
                  shared->masks.bytes() + shared->zones.bytes();
@@ -183,7 +184,7 @@ void MultiResolution::Implementation::fillReport(const EffectPasses& passes) {
 GLuint MultiResolution::Implementation::debugView(DebugView view) {
   if (plan.levels.empty())
     throw std::logic_error("debugView() shows the last render(); call render() first.");
-  const gl::StateGuard guard;
+  const gl::StateGuard guard(viewports);
   if (!debugViewPass) debugViewPass.emplace(context.library);
   const glm::ivec2 size = plan.levels.front().size;
   const bool levels = view == DebugView::levels;
@@ -214,7 +215,7 @@ void MultiResolution::Implementation::reloadShaders() {
 }
 
 MultiResolution::MultiResolution(Options options) {
-  const gl::StateGuard guard;
+  const gl::StateGuard guard(gl::StateGuard::countViewports());
   implementation_ = std::make_unique<Implementation>(options);
 }
 MultiResolution::~MultiResolution() = default;
@@ -242,12 +243,12 @@ void MultiResolution::setProfiling(gl::Profiler::Mode mode) {
 }
 
 void MultiResolution::reloadShaders() {
-  const gl::StateGuard guard;
+  const gl::StateGuard guard(implementation_->viewports);
   implementation_->reloadShaders();
 }
 
 void MultiResolution::fillTargets(float value) {
-  const gl::StateGuard guard;
+  const gl::StateGuard guard(implementation_->viewports);
   for (const auto& [name, passes] : implementation_->effects) passes.effect.fillTargets(value);
 }
 

@@ -33,10 +33,6 @@ constexpr std::array<GLenum, 24> kGuardedCapabilities = {GL_CULL_FACE,
                                                          GL_CLIP_DISTANCE6,
                                                          GL_CLIP_DISTANCE7};
 
-bool hasViewportArrays() {
-  return epoxy_gl_version() >= 41 || epoxy_has_gl_extension("GL_ARB_viewport_array");
-}
-
 GLint integer(GLenum name) {
   GLint value = 0;
   glGetIntegerv(name, &value);
@@ -53,7 +49,12 @@ void setEnabled(GLenum capability, GLboolean enabled) {
 
 }  // namespace
 
-StateGuard::StateGuard() {
+GLuint StateGuard::countViewports() {
+  if (epoxy_gl_version() < 41 && !epoxy_has_gl_extension("GL_ARB_viewport_array")) return 1;
+  return std::min(static_cast<GLuint>(integer(GL_MAX_VIEWPORTS)), kMaxViewports);
+}
+
+StateGuard::StateGuard(GLuint viewports) : viewportCount_(viewports) {
   static_assert(kGuardedCapabilities.size() == kCapabilities);
   saveBindings();
   saveRasterState();
@@ -110,12 +111,11 @@ void StateGuard::saveRasterState() {
 
 // glViewport() and glDisable(GL_SCISSOR_TEST) change all viewports of OpenGL 4.1.
 void StateGuard::saveViewports() {
-  if (!hasViewportArrays()) {
+  if (viewportCount_ == 1) {
     glGetFloatv(GL_VIEWPORT, &viewports_[0].rectangle.x);
     viewports_[0].scissored = glIsEnabled(GL_SCISSOR_TEST);
     return;
   }
-  viewportCount_ = std::min(static_cast<GLuint>(integer(GL_MAX_VIEWPORTS)), kMaxViewports);
   for (GLuint i = 0; i < viewportCount_; ++i) {
     glGetFloati_v(GL_VIEWPORT, i, &viewports_.at(i).rectangle.x);
     viewports_.at(i).scissored = glIsEnabledi(GL_SCISSOR_TEST, i);
@@ -164,7 +164,7 @@ void StateGuard::restoreRasterState() const {
 }
 
 void StateGuard::restoreViewports() const {
-  if (!hasViewportArrays()) {
+  if (viewportCount_ == 1) {
     const glm::ivec4 rectangle(viewports_[0].rectangle);
     glViewport(rectangle.x, rectangle.y, rectangle.z, rectangle.w);
     setEnabled(GL_SCISSOR_TEST, viewports_[0].scissored);

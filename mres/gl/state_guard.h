@@ -16,7 +16,12 @@ inline constexpr GLuint kUniformBindings = 4;
 /// host or inherits hostile state from it.
 class StateGuard {
  public:
-  StateGuard();
+  /// How many viewports the current context has: those of OpenGL 4.1, else one. Asks for the version and the
+  /// extensions, so ask once per context.
+  static GLuint countViewports();
+
+  /// `viewports` is the context's countViewports().
+  explicit StateGuard(GLuint viewports);
   ~StateGuard();
   StateGuard(const StateGuard&) = delete;
   StateGuard& operator=(const StateGuard&) = delete;
@@ -57,7 +62,7 @@ class StateGuard {
   std::array<GLboolean, kDrawBuffers> blendEnabled_{};
   std::array<StencilFace, 2> stencil_{};
   std::array<Viewport, kMaxViewports> viewports_{};
-  GLuint viewportCount_ = 1;
+  GLuint viewportCount_;
   GLboolean depthMask_ = GL_TRUE;
   std::array<GLint, 2> polygonMode_{};
 };

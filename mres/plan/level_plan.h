@@ -1,9 +1,9 @@
 #pragma once
 
 #include <glm/glm.hpp>
-#include <vector>
 
 #include "mres/effect.h"
+#include "mres/plan/per_level.h"
 #include "mres/report.h"
 #include "mres/settings.h"
 
@@ -18,8 +18,8 @@ struct PlannedLevel {
 
 /// Which levels a frame renders, finest first; the last covers the whole screen.
 struct LevelPlan {
-  std::vector<PlannedLevel> levels;
-  std::vector<Skip> skipped;
+  PerLevel<PlannedLevel> levels;
+  PerLevel<Skip> skipped;
 };
 
 /// ceil(size / 2^level).

@@ -6,6 +6,7 @@
 
 #include "effects/ssao/ssao.h"
 #include "mres/mres.h"
+#include "tests/support/allocations.h"
 #include "tests/support/gl_test.h"
 #include "tests/support/pictures.h"
 #include "tests/support/synthetic_gbuffer.h"
@@ -225,6 +226,23 @@ TEST_F(MultiResolutionTest, ReportSaysWhatRan) {
   EXPECT_THAT(report.skipped, testing::ElementsAre(testing::Field(&Skip::what, "level1")));
   EXPECT_THAT(report.stages, testing::Contains(testing::Field(&gl::StageTime::name, "mres.masks")));
   EXPECT_GT(report.bytes, 97u * 61u * 4u);
+}
+
+TEST_F(MultiResolutionTest, ASteadyFrameAllocatesNothing) {
+  const glm::ivec2 size(97, 61);
+  const SyntheticGBuffer gbuffer(size, perspective(size), room());
+  MultiResolution multiResolution({.measureCoverage = true});
+  Ssao all(ssaoWith(0b1111, 1));
+  for (const auto mode : {gl::Profiler::Mode::off, gl::Profiler::Mode::query, gl::Profiler::Mode::finish}) {
+    multiResolution.setProfiling(mode);
+    for (const Technique technique : {Technique::multiResolution, Technique::full}) {
+      multiResolution.settings().technique = technique;
+      for (int frame = 0; frame < 10; ++frame) multiResolution.render(all, gbuffer.frame());
+      const AllocationCounter allocations;
+      for (int frame = 0; frame < 10; ++frame) multiResolution.render(all, gbuffer.frame());
+      EXPECT_EQ(allocations.count(), 0u) << "profiling mode " << static_cast<int>(mode);
+    }
+  }
 }
 
 TEST_F(MultiResolutionTest, RefusesImpossibleFramesAndStaysUsable) {
