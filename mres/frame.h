@@ -35,7 +35,8 @@ struct Frame {
   glm::ivec2 size{0};  ///< pixels, 1..16384 each
   glm::mat4 view{
       1.0f};  ///< world to view; a rotation and translation. Unused if the normals are in view space.
-  glm::mat4 projection{1.0f};  ///< view to clip; perspective or orthographic, may be off-centre
+  glm::mat4 projection{
+      1.0f};  ///< view to clip; perspective or orthographic, may be off-centre; no oblique near plane
   ClipDepth clipDepth = ClipDepth::minusOneToOne;
   NormalSpace normalSpace = NormalSpace::world;
   NormalEncoding normalEncoding = NormalEncoding::unsignedXyz;

@@ -17,6 +17,7 @@
 #include "mres/level/depth_pyramid.h"
 #include "mres/level/effect_pass.h"
 #include "mres/level/frame_params.h"
+#include "mres/level/frame_textures.h"
 #include "mres/level/pass_context.h"
 #include "mres/mask/edge_pass.h"
 #include "mres/mask/mask_pass.h"
@@ -63,7 +64,7 @@ struct MultiResolution::Implementation {
   GLuint debugView(DebugView view);
   void reloadShaders();
   EffectPasses& passesOf(Effect& effect);
-  void bindFrame(const Frame& frame, const params::FrameParams& params);
+  DepthFormat bindFrame(const Frame& frame, const params::FrameParams& params);
   void uploadLevels(EffectPass& effect, glm::ivec2 fullSize);
   [[nodiscard]] bool isCoarsest(std::size_t planned) const { return planned + 1 == plan.levels.size(); }
   ZoneInputs zoneOf(EffectPass& effect, std::size_t planned);
@@ -94,11 +95,12 @@ EffectPasses& MultiResolution::Implementation::passesOf(Effect& effect) {
   return found->second;
 }
 
-void MultiResolution::Implementation::bindFrame(const Frame& frame, const params::FrameParams& params) {
+DepthFormat MultiResolution::Implementation::bindFrame(const Frame& frame,
+                                                       const params::FrameParams& params) {
+  const DepthFormat depth = bindFrameTextures(context, frame);
   frameBlock.upload(params);
   frameBlock.bind(kFrameBlock);
-  gl::bindTexture(kDepthUnit, frame.depth, context.nearest);
-  gl::bindTexture(kNormalUnit, frame.normals, context.nearest);
+  return depth;
 }
 
 void MultiResolution::Implementation::uploadLevels(EffectPass& effect, glm::ivec2 fullSize) {
@@ -124,14 +126,14 @@ ZoneInputs MultiResolution::Implementation::zoneOf(EffectPass& effect, std::size
 GLuint MultiResolution::Implementation::render(Effect& effect, const Frame& frame) {
   const params::FrameParams params = frameParams(frame);
   const gl::StateGuard guard(viewports);
+  const DepthFormat depth = bindFrame(frame, params);
   context.profiler.beginFrame();
   EffectPasses& passes = passesOf(effect);
   plan = planLevels(settings.technique, effect.levels(), frame.size);
   uploadLevels(passes.effect, frame.size);
-  bindFrame(frame, params);
   if (effect.description().readsPyramid) shared->pyramid.draw(context, frame.size);
   if (plan.levels.size() > 1) {
-    shared->edges.draw(context, settings.mask, params);
+    shared->edges.draw(context, settings.mask, params, depth);
     shared->masks.draw(context, shared->edges.edges(), plan);
   }
   effect.bind();

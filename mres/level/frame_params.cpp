@@ -31,10 +31,14 @@ void validate(const Frame& frame) {
   if (!isFinite(frame.view) || !isFinite(frame.projection)) {
     throw std::invalid_argument("Frame::view and Frame::projection must be finite matrices.");
   }
-  const glm::mat4& p = frame.projection;
-  if (p[0][0] == 0.0f || p[1][1] == 0.0f || (p[2][3] == 0.0f && p[3][3] == 0.0f)) {
-    throw std::invalid_argument("Frame::projection must be a perspective or orthographic projection.");
-  }
+}
+
+/// Whether a row has nothing in the two columns, but for rounding.
+bool isZero(glm::vec4 row, int column, int otherColumn) {
+  constexpr float kRounding = 1e-6f;
+  const glm::vec4 size = glm::abs(row);
+  const float largest = std::max({size.x, size.y, size.z, size.w});
+  return std::max(size[column], size[otherColumn]) <= kRounding * largest;
 }
 
 /// Coefficients (a, b, c, d) of view depth = (a + b t) / (c + d t) for window depth t: the projection's third
@@ -50,6 +54,28 @@ glm::dvec4 lineariseCoefficients(const Frame& frame) {
 
 double viewDepthAt(const glm::dvec4& linearise, double windowDepth) {
   return (linearise.x + linearise.y * windowDepth) / (linearise.z + linearise.w * windowDepth);
+}
+
+void validateProjection(const Frame& frame, const glm::dvec4& linearise) {
+  const glm::mat4& p = frame.projection;
+  const bool orthographic = p[2][3] == 0.0f;
+  const bool axisAligned = p[0][0] != 0.0f && p[1][1] != 0.0f && isZero(glm::row(p, 0), 1, 1) &&
+                           isZero(glm::row(p, 1), 0, 0) && isZero(glm::row(p, 3), 0, 1);
+  if (!axisAligned || (orthographic && !(p[3][3] > 0.0f))) {
+    throw std::invalid_argument("Frame::projection must be a perspective or orthographic projection.");
+  }
+  if (!isZero(glm::row(p, 2), 0, 1)) {
+    throw std::invalid_argument(
+        "Frame::projection must not have an oblique near plane; give the projection without it.");
+  }
+  if (linearise.x * linearise.w == linearise.y * linearise.z) {
+    throw std::invalid_argument("Frame::projection must map different view depths to different depths.");
+  }
+  const bool allBehind = std::max(viewDepthAt(linearise, 0.0), viewDepthAt(linearise, 1.0)) <= 0.0;
+  if (orthographic ? allBehind : p[2][3] > 0.0f) {
+    throw std::invalid_argument(
+        "Frame::projection must be right-handed, with the camera looking along -Z of view space.");
+  }
 }
 
 /// A reversed projection puts the far plane at window depth 0.
@@ -111,6 +137,8 @@ void setUnprojection(const Frame& frame, params::FrameParams& params) {
 
 params::FrameParams frameParams(const Frame& frame) {
   validate(frame);
+  const glm::dvec4 linearise = lineariseCoefficients(frame);
+  validateProjection(frame, linearise);
   params::FrameParams params{};
   const glm::vec2 halfSize = glm::vec2(frame.size) * 0.5f;
   const glm::vec4 rowW = glm::row(frame.projection, 3);
@@ -121,7 +149,6 @@ params::FrameParams frameParams(const Frame& frame) {
   params.clipW = rowW;
   setUnprojection(frame, params);
 
-  const glm::dvec4 linearise = lineariseCoefficients(frame);
   const bool reversed = isReversed(linearise);
   params.linearise = glm::vec4(linearise);
   params.normalDecode =

@@ -17,15 +17,10 @@ float normalDifference2(float degrees, float decodeScale) {
 
 /// The second difference of three rounded depths is off by two steps at most; rasterisers add as much again.
 /// Steps of fixed-point depth are constant, those of floating-point depth proportional to it.
-glm::vec2 depthRounding() {
-  GLint bits = 0;
-  GLint type = GL_UNSIGNED_NORMALIZED;
-  glActiveTexture(GL_TEXTURE0 + kDepthUnit);
-  glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_DEPTH_SIZE, &bits);
-  glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_DEPTH_TYPE, &type);
+glm::vec2 depthRounding(const DepthFormat& format) {
   constexpr int kFloatBits = 24;
-  return type == GL_FLOAT ? glm::vec2(0.0f, std::ldexp(8.0f, -kFloatBits))
-                          : glm::vec2(std::ldexp(4.0f, -std::clamp(bits, 1, kFloatBits)), 0.0f);
+  return format.floatingPoint ? glm::vec2(0.0f, std::ldexp(8.0f, -kFloatBits))
+                              : glm::vec2(std::ldexp(4.0f, -std::min(format.bits, kFloatBits)), 0.0f);
 }
 
 }  // namespace
@@ -33,7 +28,8 @@ glm::vec2 depthRounding() {
 EdgePass::EdgePass(const gl::ShaderLibrary& library)
     : program_(makePassProgram(library, "mres/edges.frag")) {}
 
-void EdgePass::draw(PassContext& context, const MaskSettings& settings, const params::FrameParams& frame) {
+void EdgePass::draw(PassContext& context, const MaskSettings& settings, const params::FrameParams& frame,
+                    const DepthFormat& depth) {
   const gl::Scope scope(context.profiler, "mres.edges");
   const glm::ivec2 size = levelSize(frame.size, 1);
   if (target_.size() != size) target_ = gl::RenderTarget(size, {GL_RG8}, 0, "mres.edges");
@@ -42,7 +38,7 @@ void EdgePass::draw(PassContext& context, const MaskSettings& settings, const pa
   params_.upload({.depthSlope = {std::abs(l.y * l.z - l.x * l.w), l.z, l.w, 0.0f},
                   .normalDifference2 = normalDifference2(settings.normalThreshold, frame.normalDecode.x),
                   .depthThreshold = settings.depthThreshold,
-                  .depthRounding = depthRounding()});
+                  .depthRounding = depthRounding(depth)});
   params_.bind(kPassBlock);
   glUseProgram(program_.id());
   target_.bind();

@@ -2,6 +2,7 @@
 
 #include "mres/gl/render_target.h"
 #include "mres/gl/uniform_buffer.h"
+#include "mres/level/frame_textures.h"
 #include "mres/level/pass_context.h"
 #include "mres/settings.h"
 #include "shaders/mres/edges_params.h"
@@ -16,7 +17,8 @@ class EdgePass {
   explicit EdgePass(const gl::ShaderLibrary& library);
 
   /// Needs depth and normals bound to their units and the frame's block bound.
-  void draw(PassContext& context, const MaskSettings& settings, const params::FrameParams& frame);
+  void draw(PassContext& context, const MaskSettings& settings, const params::FrameParams& frame,
+            const DepthFormat& depth);
 
   /// GL_RG8, ceil(size / 2).
   [[nodiscard]] const gl::Texture2D& edges() const { return target_.color(); }

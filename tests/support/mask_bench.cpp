@@ -25,9 +25,7 @@ Image MaskBench::edges(const Frame& frame, const MaskSettings& settings) {
   const params::FrameParams params = frameParams(frame);
   frameBlock_.upload(params);
   frameBlock_.bind(kFrameBlock);
-  gl::bindTexture(kDepthUnit, frame.depth, context_.nearest);
-  gl::bindTexture(kNormalUnit, frame.normals, context_.nearest);
-  edgePass_.draw(context_, settings, params);
+  edgePass_.draw(context_, settings, params, bindFrameTextures(context_, frame));
   return readImage(edgePass_.edges(), 2);
 }
 
