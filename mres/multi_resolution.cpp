@@ -91,6 +91,7 @@ EffectPasses& MultiResolution::Implementation::passesOf(Effect& effect) {
   if (found == effects.end()) {
     found = effects.try_emplace(description.name, context.library, description).first;
   }
+  found->second.effect.expectSame(effect);
   found->second.effect.setUp(effect);
   return found->second;
 }
@@ -247,6 +248,11 @@ void MultiResolution::setProfiling(gl::Profiler::Mode mode) {
 void MultiResolution::reloadShaders() {
   const gl::StateGuard guard(implementation_->viewports);
   implementation_->reloadShaders();
+}
+
+void MultiResolution::forget(std::string_view effectName) {
+  const auto found = implementation_->effects.find(effectName);
+  if (found != implementation_->effects.end()) implementation_->effects.erase(found);
 }
 
 void MultiResolution::fillTargets(float value) {

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "mres/effect.h"
 #include "mres/frame.h"
@@ -41,7 +42,8 @@ class MultiResolution {
 
   /// Renders `effect` for `frame` and returns the texture of its values: GL_R16F or GL_RGBA16F, frame.size
   /// texels, valid until the next render() of an effect of the same name. Throws std::invalid_argument for a
-  /// frame that cannot be rendered, std::runtime_error if the driver rejects a shader or a target.
+  /// frame that cannot be rendered, std::logic_error for an effect that differs from an earlier one of the
+  /// same name, std::runtime_error if the driver rejects a shader or a target.
   GLuint render(Effect& effect, const Frame& frame);
 
   /// What the last render() did.
@@ -57,6 +59,10 @@ class MultiResolution {
   /// Compiles all shaders anew, from Options::shaderDirectory where they are there. Throws std::runtime_error
   /// with the compiler's words and keeps the old ones if a shader is wrong.
   void reloadShaders();
+
+  /// Frees the shaders and textures of an effect, the result of its last render() too. Nothing happens if
+  /// there is none of that name.
+  void forget(std::string_view effectName);
 
   /// Fills every texture that an effect renders into, e.g. with NaN, to prove that nothing undefined is read.
   void fillTargets(float value);

@@ -1,5 +1,6 @@
 #include "mres/level/effect_pass.h"
 
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -18,13 +19,19 @@ EffectPass::EffectPass(const gl::ShaderLibrary& library, const EffectDescription
 
 gl::Program EffectPass::compile(const gl::ShaderLibrary& library) const {
   gl::ShaderLibrary extended = library;
-  extended.add(description_.shaders);
-  extended.add("effect", "#include \"" + std::string(description_.shader) + "\"\n");
+  extended.add(effect().shaders);
+  extended.add("effect", "#include \"" + std::string(effect().shader) + "\"\n");
   gl::Program program =
       makePassProgram(extended, "mres/effect_level.frag",
-                      "#define EFFECT_CHANNELS " + std::to_string(description_.channels) + "\n");
-  glUniform4fv(program.uniformLocation("backgroundValue"), 1, &description_.background.x);
+                      "#define EFFECT_CHANNELS " + std::to_string(effect().channels) + "\n");
+  glUniform4fv(program.uniformLocation("backgroundValue"), 1, &effect().background.x);
   return program;
+}
+
+void EffectPass::expectSame(const Effect& other) const {
+  if (description_.describes(other.description())) return;
+  throw std::logic_error(std::string("Two different effects are named '") + effect().name +
+                         "'; name them differently, or forget() the first one.");
 }
 
 void EffectPass::setProgram(gl::Program program) {

@@ -5,6 +5,7 @@
 
 #include "mres/effect.h"
 #include "mres/level/level_targets.h"
+#include "mres/level/owned_description.h"
 #include "mres/level/pass_context.h"
 
 namespace mres {
@@ -14,7 +15,10 @@ class EffectPass {
  public:
   EffectPass(const gl::ShaderLibrary& library, const EffectDescription& description);
 
-  [[nodiscard]] const EffectDescription& effect() const { return description_; }
+  [[nodiscard]] const EffectDescription& effect() const { return description_.get(); }
+
+  /// Throws std::logic_error with a sentence if the effect is another one of the same name.
+  void expectSame(const Effect& effect) const;
 
   /// Compiles the program anew; setProgram() then replaces the one in use and keeps the targets.
   [[nodiscard]] gl::Program compile(const gl::ShaderLibrary& library) const;
@@ -32,7 +36,7 @@ class EffectPass {
   void fillTargets(float value) const;
 
  private:
-  EffectDescription description_;
+  OwnedDescription description_;
   gl::Program program_;
   bool isSetUp_ = false;
   std::array<LevelTargets, kMaxLevels> targets_;

@@ -9,6 +9,7 @@
 #include "tests/support/allocations.h"
 #include "tests/support/gl_test.h"
 #include "tests/support/pictures.h"
+#include "tests/support/sentences.h"
 #include "tests/support/synthetic_gbuffer.h"
 #include "tests/support/test_effect.h"
 
@@ -243,6 +244,45 @@ TEST_F(MultiResolutionTest, ASteadyFrameAllocatesNothing) {
       EXPECT_EQ(allocations.count(), 0u) << "profiling mode " << static_cast<int>(mode);
     }
   }
+}
+
+TEST_F(MultiResolutionTest, RefusesASecondEffectOfTheSameNameUntilTheFirstIsForgotten) {
+  const glm::ivec2 size(40, 30);
+  const SyntheticGBuffer gbuffer(size, perspective(size), room());
+  const TestEffect::Recipe recipe{.body = "return vec4(0.25);"};
+  TestEffect first(recipe);
+  TestEffect same(recipe);
+  static_cast<void>(mixed(first, gbuffer.frame()));
+  EXPECT_THAT(mixed(same, gbuffer.frame()), testing::Each(0.25f)) << "an equal one may share";
+
+  std::vector<TestEffect::Recipe> others(4, recipe);
+  others[0].body = "return vec4(0.5);";
+  others[1].channels = 3;
+  others[2].filtered = true;
+  others[3].background = glm::vec4(0.5f);
+  for (const TestEffect::Recipe& other : others) {
+    TestEffect second(other);
+    EXPECT_THAT([&] { multiResolution_.render(second, gbuffer.frame()); },
+                refusesInASentence<std::logic_error>("named 'test'"));
+  }
+  multiResolution_.forget("test");
+  TestEffect second(others[0]);
+  EXPECT_THAT(mixed(second, gbuffer.frame()), testing::Each(0.5f));
+}
+
+TEST_F(MultiResolutionTest, ForgettingAnEffectFreesItsTexturesAndNoOthers) {
+  const glm::ivec2 size(40, 30);
+  const SyntheticGBuffer gbuffer(size, perspective(size), room());
+  TestEffect first({.body = "return vec4(0.25);", .name = "first"});
+  TestEffect second({.body = "return vec4(0.5);", .name = "second"});
+  const GLuint firstResult = multiResolution_.render(first, gbuffer.frame());
+  const GLuint secondResult = multiResolution_.render(second, gbuffer.frame());
+  multiResolution_.forget("first");
+  multiResolution_.forget("unknown");
+  EXPECT_EQ(glIsTexture(firstResult), GL_FALSE);
+  EXPECT_EQ(glIsTexture(secondResult), GL_TRUE);
+  EXPECT_NO_THROW(multiResolution_.debugView(DebugView::levels));
+  EXPECT_THAT(mixed(first, gbuffer.frame()), testing::Each(0.25f)) << "it may come back";
 }
 
 TEST_F(MultiResolutionTest, RefusesImpossibleFramesAndStaysUsable) {

@@ -10,6 +10,7 @@
 #include "tests/support/glsl_function.h"
 #include "tests/support/pictures.h"
 #include "tests/support/synthetic_gbuffer.h"
+#include "tests/support/test_effect.h"
 
 namespace mres::test {
 namespace {
@@ -98,6 +99,17 @@ TEST_F(ShaderReload, KeepsTheOldShadersIfOneIsBroken) {
   }
   multiResolution_->reloadShaders();
   EXPECT_EQ(render(), before);
+}
+
+TEST_F(ShaderReload, NeedsNothingOfAnEffectThatIsGone) {
+  const TestEffect::Recipe recipe{.body = "return vec4(0.25);  // " + std::string(5000, '-')};
+  auto effect = std::make_unique<TestEffect>(recipe);
+  static_cast<void>(renderPicture(*multiResolution_, *effect, gbuffer_.frame()));
+  effect.reset();
+  const std::vector<std::string> reusedMemory(100, std::string(5100, '#'));
+  EXPECT_NO_THROW(multiResolution_->reloadShaders());
+  TestEffect again(recipe);
+  EXPECT_THAT(renderPicture(*multiResolution_, again, gbuffer_.frame()), Each(0.25f));
 }
 
 TEST_F(ShaderReload, DebugViewsWaitForTheNextFrame) {

@@ -59,6 +59,7 @@ TEST_F(StateGuardTest, EveryPublicCallLeavesAllStateAlone) {
     bad.size = {0, 0};
     EXPECT_THROW(multiResolution->render(*ssao, bad), std::invalid_argument);
   });
+  expectNothingChanges("forget", [&] { multiResolution->forget("ssao"); });
   expectNothingChanges("destructor", [&] { multiResolution.reset(); });
   expectNothingChanges("effect's destructor", [&] { ssao.reset(); });
 }
