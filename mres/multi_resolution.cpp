@@ -82,6 +82,7 @@ struct MultiResolution::Implementation {
   std::optional<DebugViewPass> debugViewPass;
   CoverageQueries coverage;
   LevelPlan plan;
+  bool hasPicture = false;  // everything that the plan names was rendered
   Report report;
 };
 
@@ -130,6 +131,7 @@ GLuint MultiResolution::Implementation::render(Effect& effect, const Frame& fram
   const DepthFormat depth = bindFrame(frame, params);
   context.profiler.beginFrame();
   EffectPasses& passes = passesOf(effect);
+  hasPicture = false;
   plan = planLevels(settings.technique, effect.levels(), frame.size);
   uploadLevels(passes.effect, frame.size);
   if (effect.description().readsPyramid) shared->pyramid.draw(context, frame.size);
@@ -141,6 +143,7 @@ GLuint MultiResolution::Implementation::render(Effect& effect, const Frame& fram
   renderLevels(passes);
   context.profiler.endFrame();
   fillReport(passes);
+  hasPicture = true;
   return passes.effect.targets(plan.levels.front().index).composed().color().id();
 }
 
@@ -185,8 +188,7 @@ void MultiResolution::Implementation::fillReport(const EffectPasses& passes) {
 }
 
 GLuint MultiResolution::Implementation::debugView(DebugView view) {
-  if (plan.levels.empty())
-    throw std::logic_error("debugView() shows the last render(); call render() first.");
+  if (!hasPicture) throw std::logic_error("A debug view shows the last render(); call render() first.");
   const gl::StateGuard guard(viewports);
   if (!debugViewPass) debugViewPass.emplace(context.library);
   const glm::ivec2 size = plan.levels.front().size;
@@ -214,7 +216,7 @@ void MultiResolution::Implementation::reloadShaders() {
     passes.composite = std::move(replacement->second);
     ++replacement;
   }
-  plan = {};  // there are no masks to show
+  hasPicture = false;  // there are no masks to show
 }
 
 MultiResolution::MultiResolution(Options options) {

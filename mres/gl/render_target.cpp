@@ -25,6 +25,10 @@ bool isComplete() {
 
 }  // namespace
 
+void requireComplete(const char* label) {
+  if (!isComplete()) throwRejected(label);
+}
+
 StencilBuffer::StencilBuffer(glm::ivec2 size, const char* label) {
   struct Choice {
     GLenum format, attachment;
@@ -92,7 +96,7 @@ void RenderTarget::finish(const char* label) const {
     glDrawBuffers(static_cast<GLsizei>(colors_.size()), kAttachments.data());
   }
   setLabel(GL_FRAMEBUFFER, id(), label);
-  if (!isComplete()) throwRejected(label);
+  requireComplete(label);
 }
 
 void RenderTarget::bind() const {

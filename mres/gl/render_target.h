@@ -8,6 +8,9 @@
 
 namespace mres::gl {
 
+/// Throws std::runtime_error if the driver rejects the framebuffer bound for drawing.
+void requireComplete(const char* label);
+
 /// A stencil of eight bits that several render targets of one size share.
 class StencilBuffer {
  public:

@@ -1,12 +1,17 @@
 #include "mres/level/depth_pyramid.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "mres/gl/render_target.h"
 
 namespace mres {
 namespace {
 
 /// Mips beyond the sixth are too small for a cache to care.
 constexpr int kMaxMips = 6;
+
+constexpr const char* kLabel = "mres.depth";
 
 }  // namespace
 
@@ -21,17 +26,20 @@ DepthPyramid::DepthPyramid(const gl::ShaderLibrary& library)
       levelLocation_(program_.uniformLocation("pyramidLevel")) {}
 
 void DepthPyramid::resize(glm::ivec2 fullSize) {
-  texture_ = gl::Texture2D(GL_R32F, fullSize, "mres.depth", depthPyramidLevels(fullSize));
-  framebuffers_.clear();
-  for (int mip = 0; mip < texture_.levels(); ++mip) {
-    const gl::FramebufferName& framebuffer = framebuffers_.emplace_back(gl::FramebufferName::create());
+  gl::Texture2D texture(GL_R32F, fullSize, kLabel, depthPyramidLevels(fullSize));
+  std::vector<gl::FramebufferName> framebuffers;
+  for (int mip = 0; mip < texture.levels(); ++mip) {
+    const gl::FramebufferName& framebuffer = framebuffers.emplace_back(gl::FramebufferName::create());
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_.id(), mip);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.id(), mip);
+    gl::requireComplete(kLabel);
   }
+  texture_ = std::move(texture);
+  framebuffers_ = std::move(framebuffers);
 }
 
 void DepthPyramid::draw(PassContext& context, glm::ivec2 fullSize) {
-  const gl::Scope scope(context.profiler, "mres.depth");
+  const gl::Scope scope(context.profiler, kLabel);
   if (texture_.size() != fullSize) resize(fullSize);
   glUseProgram(program_.id());
   for (int mip = 0; mip < texture_.levels(); ++mip) {

@@ -22,29 +22,35 @@ glm::vec4 lastInterval(const PlannedLevel& coarser, glm::ivec2 fullSize) {
 }  // namespace
 
 void LevelTargets::ensure(const EffectDescription& effect, glm::ivec2 size, LevelRole role) {
-  if (raw_.size() == size && role_ == role) return;
-  const GLenum rawFormat = effect.channels == 1 ? GL_RG16F : GL_RGBA16F;
-  const GLenum resultFormat = effect.channels == 1 ? GL_R16F : GL_RGBA16F;
-  const bool zoned = role != LevelRole::coarsest;
-  stencil_ = zoned ? gl::StencilBuffer(size, "mres.stencil") : gl::StencilBuffer();
-  const auto makeTarget = [&](std::initializer_list<GLenum> formats, const char* label) {
-    return zoned ? gl::RenderTarget(size, formats, stencil_, label)
-                 : gl::RenderTarget(size, formats, 0, label);
-  };
-  raw_ = makeTarget({rawFormat}, "mres.level");
-  filteredAlongX_ = effect.filtered ? makeTarget({rawFormat}, "mres.filter") : gl::RenderTarget();
-  composed_ = role == LevelRole::intermediate ? makeTarget({resultFormat, GL_R8}, "mres.composite")
-                                              : makeTarget({resultFormat}, "mres.composite");
+  if (targets_.raw.size() == size && role_ == role) return;
+  targets_ = make(effect, size, role);
   role_ = role;
 }
 
+LevelTargets::Targets LevelTargets::make(const EffectDescription& effect, glm::ivec2 size, LevelRole role) {
+  const GLenum rawFormat = effect.channels == 1 ? GL_RG16F : GL_RGBA16F;
+  const GLenum resultFormat = effect.channels == 1 ? GL_R16F : GL_RGBA16F;
+  const bool zoned = role != LevelRole::coarsest;
+  Targets targets;
+  if (zoned) targets.stencil = gl::StencilBuffer(size, "mres.stencil");
+  const auto makeTarget = [&](std::initializer_list<GLenum> formats, const char* label) {
+    return zoned ? gl::RenderTarget(size, formats, targets.stencil, label)
+                 : gl::RenderTarget(size, formats, 0, label);
+  };
+  targets.raw = makeTarget({rawFormat}, "mres.level");
+  if (effect.filtered) targets.filteredAlongX = makeTarget({rawFormat}, "mres.filter");
+  targets.composed = role == LevelRole::intermediate ? makeTarget({resultFormat, GL_R8}, "mres.composite")
+                                                     : makeTarget({resultFormat}, "mres.composite");
+  return targets;
+}
+
 std::size_t LevelTargets::bytes() const {
-  return stencil_.bytes() + raw_.bytes() + filteredAlongX_.bytes() + composed_.bytes();
+  return targets_.stencil.bytes() + raw().bytes() + filteredAlongX().bytes() + composed().bytes();
 }
 
 void LevelTargets::fill(float value) const {
   const glm::vec4 color(value);
-  for (const gl::RenderTarget* target : {&raw_, &filteredAlongX_, &composed_}) {
+  for (const gl::RenderTarget* target : {&raw(), &filteredAlongX(), &composed()}) {
     if (!*target) continue;
     target->bind();
     for (GLint buffer = 0; buffer < kMaxColors; ++buffer) glClearBufferfv(GL_COLOR, buffer, &color.x);

@@ -18,13 +18,13 @@ enum class LevelRole {
 /// What one effect renders into at one level, made on first use and when the size changes.
 class LevelTargets {
  public:
-  /// Makes what is missing for `size`.
+  /// Makes what is missing for `size`: all or, if the driver rejects a target, nothing.
   void ensure(const EffectDescription& effect, glm::ivec2 size, LevelRole role);
 
-  [[nodiscard]] const gl::RenderTarget& raw() const { return raw_; }  ///< value and filter depth
-  [[nodiscard]] const gl::RenderTarget& filteredAlongX() const { return filteredAlongX_; }
+  [[nodiscard]] const gl::RenderTarget& raw() const { return targets_.raw; }  ///< value and filter depth
+  [[nodiscard]] const gl::RenderTarget& filteredAlongX() const { return targets_.filteredAlongX; }
   [[nodiscard]] const gl::RenderTarget& composed() const {
-    return composed_;
+    return targets_.composed;
   }  ///< the picture down to this level
   [[nodiscard]] LevelRole role() const { return role_; }
   gl::UniformBuffer<params::LevelParams>& params() { return params_; }
@@ -34,11 +34,16 @@ class LevelTargets {
   void fill(float value) const;
 
  private:
+  struct Targets {
+    gl::StencilBuffer stencil;
+    gl::RenderTarget raw;
+    gl::RenderTarget filteredAlongX;
+    gl::RenderTarget composed;
+  };
+  static Targets make(const EffectDescription& effect, glm::ivec2 size, LevelRole role);
+
   gl::UniformBuffer<params::LevelParams> params_;
-  gl::StencilBuffer stencil_;
-  gl::RenderTarget raw_;
-  gl::RenderTarget filteredAlongX_;
-  gl::RenderTarget composed_;
+  Targets targets_;
   LevelRole role_ = LevelRole::coarsest;
 };
 

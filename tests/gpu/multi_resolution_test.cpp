@@ -7,6 +7,7 @@
 #include "effects/ssao/ssao.h"
 #include "mres/mres.h"
 #include "tests/support/allocations.h"
+#include "tests/support/failing_framebuffers.h"
 #include "tests/support/gl_test.h"
 #include "tests/support/pictures.h"
 #include "tests/support/sentences.h"
@@ -283,6 +284,36 @@ TEST_F(MultiResolutionTest, ForgettingAnEffectFreesItsTexturesAndNoOthers) {
   EXPECT_EQ(glIsTexture(secondResult), GL_TRUE);
   EXPECT_NO_THROW(multiResolution_.debugView(DebugView::levels));
   EXPECT_THAT(mixed(first, gbuffer.frame()), testing::Each(0.25f)) << "it may come back";
+}
+
+/// Whether rendering the second frame after the first throws if the driver accepts only so many framebuffers.
+bool isRejectedAfter(int good, MultiResolution& multiResolution, Effect& effect,
+                     const std::array<Frame, 2>& frames) {
+  multiResolution.render(effect, frames[0]);
+  const FailingFramebuffers driver(good);
+  try {
+    multiResolution.render(effect, frames[1]);
+  } catch (const std::runtime_error&) {
+    return true;
+  }
+  return false;
+}
+
+TEST_F(MultiResolutionTest, ATargetThatTheDriverRejectsLeavesNothingHalfMade) {
+  const glm::ivec2 size(97, 61);
+  const glm::ivec2 otherSize(70, 50);
+  const SyntheticGBuffer gbuffer(size, perspective(size), room());
+  const SyntheticGBuffer other(otherSize, perspective(otherSize), room());
+  Ssao ssao(ssaoWith(15, 1));
+  const Picture expected = mixed(ssao, gbuffer.frame());
+  int good = 0;
+  while (isRejectedAfter(good, multiResolution_, ssao, {other.frame(), gbuffer.frame()})) {
+    EXPECT_THAT([&] { multiResolution_.debugView(DebugView::levels); },
+                refusesInASentence<std::logic_error>("call render() first"));
+    ASSERT_EQ(mixed(ssao, gbuffer.frame()), expected) << "after " << good << " complete framebuffers";
+    ++good;
+  }
+  EXPECT_GT(good, 20) << "targets, masks, zones and the pyramid were all made anew";
 }
 
 TEST_F(MultiResolutionTest, RefusesImpossibleFramesAndStaysUsable) {
