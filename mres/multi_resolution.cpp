@@ -48,6 +48,7 @@ struct EffectPasses {
 
   EffectPass effect;
   CompositePass composite;
+  CoverageQueries coverage;
 };
 
 }  // namespace
@@ -69,8 +70,8 @@ struct MultiResolution::Implementation {
   [[nodiscard]] bool isCoarsest(std::size_t planned) const { return planned + 1 == plan.levels.size(); }
   ZoneInputs zoneOf(EffectPass& effect, std::size_t planned);
   void renderLevels(EffectPasses& passes);
-  void drawEffect(EffectPass& effect, std::size_t planned);
-  void fillReport(const EffectPasses& passes);
+  void drawEffect(EffectPasses& passes, std::size_t planned);
+  void fillReport(EffectPasses& passes);
 
   Settings settings;
   bool measureCoverage;
@@ -80,7 +81,6 @@ struct MultiResolution::Implementation {
   std::optional<SharedPasses> shared;
   std::map<std::string, EffectPasses, std::less<>> effects;
   std::optional<DebugViewPass> debugViewPass;
-  CoverageQueries coverage;
   LevelPlan plan;
   bool hasPicture = false;  // everything that the plan names was rendered
   Report report;
@@ -148,38 +148,37 @@ GLuint MultiResolution::Implementation::render(Effect& effect, const Frame& fram
 }
 
 void MultiResolution::Implementation::renderLevels(EffectPasses& passes) {
-  if (measureCoverage) coverage.beginFrame(plan);
   for (std::size_t i = plan.levels.size(); i-- > 0;) {
     LevelTargets& targets = passes.effect.targets(plan.levels[i].index);
     targets.params().bind(kLevelBlock);
     if (isCoarsest(i)) {
-      drawEffect(passes.effect, i);
+      drawEffect(passes, i);
       passes.composite.drawCoarsest(context, targets);
     } else {
       const ZoneInputs inputs = zoneOf(passes.effect, i);
       shared->zones.draw(context, plan.levels[i], inputs);
       passes.composite.drawOutsideZone(context, targets, inputs, shared->zones.zone(plan.levels[i].index));
-      drawEffect(passes.effect, i);
+      drawEffect(passes, i);
       passes.composite.drawZone(context, targets, inputs);
     }
   }
 }
 
-void MultiResolution::Implementation::drawEffect(EffectPass& effect, std::size_t planned) {
-  const int level = plan.levels[planned].index;
-  if (effect.effect().readsPyramid) {
+void MultiResolution::Implementation::drawEffect(EffectPasses& passes, std::size_t planned) {
+  const PlannedLevel& level = plan.levels[planned];
+  if (passes.effect.effect().readsPyramid) {
     gl::bindTexture(kSourceUnit, shared->pyramid.texture().id(), context.nearestMip);
   }
-  if (measureCoverage) coverage.beginLevel(level);
-  effect.draw(context, level, !isCoarsest(planned));
-  if (measureCoverage) coverage.endLevel();
+  if (measureCoverage) passes.coverage.begin(level);
+  passes.effect.draw(context, level.index, !isCoarsest(planned));
+  if (measureCoverage) passes.coverage.end();
 }
 
-void MultiResolution::Implementation::fillReport(const EffectPasses& passes) {
+void MultiResolution::Implementation::fillReport(EffectPasses& passes) {
   report.technique = plan.levels.size() > 1 ? Technique::multiResolution : Technique::full;
   report.levels.clear();
   for (const PlannedLevel& level : plan.levels) {
-    report.levels.push_back({level.index, level.size, coverage.of(level.index)});
+    report.levels.push_back({level.index, level.size, passes.coverage.of(level.index)});
   }
   report.skipped.assign(plan.skipped.begin(), plan.skipped.end());
   report.stages = context.profiler.stages();

@@ -13,23 +13,21 @@ void CoverageQueries::collect(Level& level) {
   level.pending = false;
 }
 
-void CoverageQueries::beginFrame(const LevelPlan& plan) {
-  for (Level& level : levels_) collect(level);
-  for (const PlannedLevel& planned : plan.levels) {
-    Level& level = levels_.at(static_cast<std::size_t>(planned.index));
-    level.pixels = static_cast<double>(planned.size.x) * planned.size.y;
-  }
-}
-
-void CoverageQueries::beginLevel(int index) {
-  Level& level = levels_.at(static_cast<std::size_t>(index));
+// Beginning a query anew throws its result away: where results take several frames, there would never be one.
+void CoverageQueries::begin(const PlannedLevel& planned) {
+  Level& level = levels_.at(static_cast<std::size_t>(planned.index));
+  collect(level);
+  if (level.pending) return;
   if (!level.query) level.query = gl::QueryName::create();
+  level.pixels = static_cast<double>(planned.size.x) * planned.size.y;
   glBeginQuery(GL_SAMPLES_PASSED, level.query.id());
   level.pending = true;
+  counting_ = true;
 }
 
-void CoverageQueries::endLevel() {
-  glEndQuery(GL_SAMPLES_PASSED);
+void CoverageQueries::end() {
+  if (counting_) glEndQuery(GL_SAMPLES_PASSED);
+  counting_ = false;
 }
 
 double CoverageQueries::of(int index) {

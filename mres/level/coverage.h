@@ -7,13 +7,12 @@
 
 namespace mres {
 
-/// Counts the pixels in which an effect ran, by occlusion queries that are read when they are ready.
+/// Counts the pixels in which one effect ran, by occlusion queries that are read when they are ready.
 class CoverageQueries {
  public:
-  /// Reads what is ready of the frame before, then starts a new one.
-  void beginFrame(const LevelPlan& plan);
-  void beginLevel(int level);
-  void endLevel();
+  /// Counts what is drawn until end(), unless the level's last count is still under way.
+  void begin(const PlannedLevel& level);
+  void end();
 
   /// Share of the level's pixels, as of the latest frame known; 1 while none is.
   [[nodiscard]] double of(int level);
@@ -26,7 +25,9 @@ class CoverageQueries {
     bool pending = false;
   };
   static void collect(Level& level);
+
   std::array<Level, kMaxLevels> levels_;
+  bool counting_ = false;
 };
 
 }  // namespace mres
