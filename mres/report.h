@@ -29,7 +29,7 @@ struct Report {
   Technique technique = Technique::full;
   std::vector<LevelReport> levels;  ///< finest first
   std::vector<Skip> skipped;
-  std::vector<gl::StageTime> stages;  ///< empty while the profiler is off
+  std::vector<gl::StageTime> stages;  ///< of the latest frame known; empty while profiling is off
   std::size_t bytes = 0;  ///< of GPU memory that mres holds for this effect, shared buffers included
 };
 

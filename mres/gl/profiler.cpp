@@ -26,7 +26,7 @@ GLuint64 timestamp(const QueryName& query) {
 Profiler::Profiler(Mode mode) : mode_(mode), nextMode_(mode), debugGroups_(hasDebugLabels()) {}
 
 void Profiler::beginFrame() {
-  mode_ = nextMode_;
+  if (mode_ != nextMode_) changeMode();
   if (mode_ == Mode::finish) {
     current_.clear();
     starts_.clear();
@@ -35,6 +35,13 @@ void Profiler::beginFrame() {
     collect(frames_.at(frame_));
     frames_.at(frame_).used = 0;
   }
+}
+
+// Times and queries of the mode before would pass for those of the new one.
+void Profiler::changeMode() {
+  mode_ = nextMode_;
+  stages_.clear();
+  for (FrameQueries& frame : frames_) frame.used = 0;
 }
 
 void Profiler::endFrame() {

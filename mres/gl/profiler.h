@@ -32,7 +32,8 @@ class Profiler {
   /// Frames the scopes of one picture; a change of mode takes effect at beginFrame().
   void beginFrame();
   void endFrame();
-  /// The latest frame whose times are known, in the order in which the scopes began.
+  /// The latest frame whose times are known, in the order in which the scopes began; empty while there is
+  /// none of the present mode.
   [[nodiscard]] const std::vector<StageTime>& stages() const { return stages_; }
 
  private:
@@ -49,6 +50,7 @@ class Profiler {
   };
   std::size_t begin(const char* name);
   void end(std::size_t scope);
+  void changeMode();
   void collect(FrameQueries& frame);
 
   Mode mode_;
