@@ -23,6 +23,7 @@
 #include "mres/mask/mask_pass.h"
 #include "mres/mask/zone_pass.h"
 #include "mres/plan/level_plan.h"
+#include "mres/validate.h"
 
 namespace mres {
 
@@ -127,6 +128,8 @@ ZoneInputs MultiResolution::Implementation::zoneOf(EffectPass& effect, std::size
 
 GLuint MultiResolution::Implementation::render(Effect& effect, const Frame& frame) {
   const params::FrameParams params = frameParams(frame);
+  validate("MaskSettings", settings.mask);
+  validate(effect.levels());
   const gl::StateGuard guard(viewports);
   const DepthFormat depth = bindFrame(frame, params);
   context.profiler.beginFrame();

@@ -42,8 +42,8 @@ class MultiResolution {
 
   /// Renders `effect` for `frame` and returns the texture of its values: GL_R16F or GL_RGBA16F, frame.size
   /// texels, valid until the next render() of an effect of the same name. Throws std::invalid_argument for a
-  /// frame that cannot be rendered, std::logic_error for an effect that differs from an earlier one of the
-  /// same name, std::runtime_error if the driver rejects a shader or a target.
+  /// frame that cannot be rendered and settings out of range, std::logic_error for an effect that differs
+  /// from an earlier one of the same name, std::runtime_error if the driver rejects a shader or a target.
   GLuint render(Effect& effect, const Frame& frame);
 
   /// What the last render() did.

@@ -2,10 +2,9 @@
 
 #include <cmath>
 #include <span>
-#include <stdexcept>
-#include <string>
 
 #include "effects/ssao/sample_points.h"
+#include "mres/validate.h"
 
 namespace mres {
 
@@ -28,15 +27,6 @@ params::SsaoParams makeParams(const SsaoSettings& settings) {
   return params;
 }
 
-void validate(SsaoSettings settings) {
-  visit(settings, [](const char* name, auto value, const SettingInfo& info) {
-    if (!(value >= info.min && value <= info.max)) {
-      throw std::invalid_argument(std::string("SsaoSettings::") + name + " must be " +
-                                  std::to_string(info.min) + " to " + std::to_string(info.max) + ".");
-    }
-  });
-}
-
 }  // namespace
 
 Ssao::Ssao(const SsaoSettings& settings) {
@@ -44,7 +34,8 @@ Ssao::Ssao(const SsaoSettings& settings) {
 }
 
 void Ssao::setSettings(const SsaoSettings& settings) {
-  validate(settings);
+  validate("SsaoSettings", settings);
+  validate(settings.levels);
   settings_ = settings;
   uploaded_ = false;
 }

@@ -316,6 +316,48 @@ TEST_F(MultiResolutionTest, ATargetThatTheDriverRejectsLeavesNothingHalfMade) {
   EXPECT_GT(good, 20) << "targets, masks, zones and the pyramid were all made anew";
 }
 
+/// Every way to put one value of a settings struct out of its range.
+template <class SomeSettings>
+std::vector<SomeSettings> outOfRange(const SomeSettings& good) {
+  std::vector<SomeSettings> bad;
+  int count = 0;
+  SomeSettings probe = good;
+  visit(probe, [&](const char*, auto&, const SettingInfo&) { ++count; });
+  for (int changed = 0; changed < count; ++changed) {
+    for (const double beyond : {-0.01, 0.01, std::numeric_limits<double>::quiet_NaN()}) {
+      SomeSettings& settings = bad.emplace_back(good);
+      int index = 0;
+      visit(settings, [&](const char*, auto& value, const SettingInfo& info) {
+        if (index++ != changed) return;
+        value = static_cast<std::remove_reference_t<decltype(value)>>((beyond < 0.0 ? info.min : info.max) +
+                                                                      beyond);
+      });
+    }
+  }
+  return bad;
+}
+
+TEST_F(MultiResolutionTest, RefusesSettingsOutOfRangeAndStaysUsable) {
+  const glm::ivec2 size(40, 30);
+  const SyntheticGBuffer gbuffer(size, perspective(size), room());
+  TestEffect effect({.body = "return vec4(0.25);"});
+  for (const MaskSettings& bad : outOfRange(MaskSettings{})) {
+    multiResolution_.settings().mask = bad;
+    EXPECT_THAT([&] { multiResolution_.render(effect, gbuffer.frame()); },
+                refusesInASentence("MaskSettings::"));
+  }
+  multiResolution_.settings().mask = {};
+  for (const float bad : {-1.0f, 64.5f, kNan}) {
+    LevelTable levels = kSsaoLevels;
+    levels[1].maskVariance = bad;
+    effect.setLevels(levels);
+    EXPECT_THAT([&] { multiResolution_.render(effect, gbuffer.frame()); },
+                refusesInASentence("LevelSettings::maskVariance must be 0 to 64 pixels^2."));
+  }
+  effect.setLevels(kSsaoLevels);
+  EXPECT_THAT(mixed(effect, gbuffer.frame()), testing::Each(0.25f));
+}
+
 TEST_F(MultiResolutionTest, RefusesImpossibleFramesAndStaysUsable) {
   const glm::ivec2 size(40, 30);
   const SyntheticGBuffer gbuffer(size, perspective(size), room());

@@ -8,6 +8,7 @@
 #include "tests/support/gl_test.h"
 #include "tests/support/mask_bench.h"
 #include "tests/support/pictures.h"
+#include "tests/support/sentences.h"
 #include "tests/support/synthetic_gbuffer.h"
 
 namespace mres::test {
@@ -209,8 +210,12 @@ TEST_F(SsaoTest, SettingsOutOfRangeAreRefused) {
   for (const SsaoSettings& bad :
        {SsaoSettings{.radius = -1.0f}, SsaoSettings{.radius = NAN}, SsaoSettings{.samples = 0},
         SsaoSettings{.samples = 257}, SsaoSettings{.intensity = -0.1f}, SsaoSettings{.bias = 2.0f}}) {
-    EXPECT_THROW(ssao_.setSettings(bad), std::invalid_argument);
+    EXPECT_THAT([&] { ssao_.setSettings(bad); }, refusesInASentence("SsaoSettings::"));
   }
+  SsaoSettings bad;
+  bad.levels[2].maskVariance = NAN;
+  EXPECT_THAT([&] { ssao_.setSettings(bad); }, refusesInASentence("maskVariance must be 0 to 64 pixels^2."));
+  EXPECT_EQ(ssao_.settings().radius, SsaoSettings{}.radius);
 }
 
 }  // namespace
