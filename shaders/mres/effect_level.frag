@@ -8,14 +8,21 @@ uniform vec4 backgroundValue;
 
 out vec4 fragment;
 
+// A single NaN or infinity would spread through the filter and to every finer level.
+bool isUsable(vec4 value) {
+#if EFFECT_CHANNELS == 1
+    return !isnan(value.r) && !isinf(value.r);
+#else
+    return !any(isnan(value.rgb)) && !any(isinf(value.rgb));
+#endif
+}
+
 void main() {
     Surface surface = fetchSurface(ivec2(gl_FragCoord.xy));
     vec4 value = shade(surface);
-    float depth = filterDepthOf(surface.depth);
-    if (surface.background) {
-        value = backgroundValue;
-        depth = kBackgroundFilterDepth;
-    }
+    if (surface.background || !isUsable(value)) value = backgroundValue;
+    value = clamp(value, -kLargestHalf, kLargestHalf);
+    float depth = surface.background ? kBackgroundFilterDepth : filterDepthOf(surface.depth);
 #if EFFECT_CHANNELS == 1
     fragment = vec4(value.r, depth, 0.0, 0.0);
 #else

@@ -1,8 +1,10 @@
 // The depth that a level keeps beside its values for the filter, as a half float.
 #include "mres/frame_params.h"
 
-// The largest half float: farther than every surface, so that the filter never mixes sky and surface.
-const float kBackgroundFilterDepth = 65504.0;
+const float kLargestHalf = 65504.0;
+
+// Farther than every surface, so that the filter never mixes sky and surface.
+const float kBackgroundFilterDepth = kLargestHalf;
 
 float filterDepthOf(float viewDepth) {
     return min(viewDepth * filterDepth.x + filterDepth.y, 0.5 * kBackgroundFilterDepth);

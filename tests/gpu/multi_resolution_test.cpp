@@ -111,6 +111,41 @@ TEST_F(MultiResolutionTest, AConstantGivesTheSameConstantAtEverySize) {
   }
 }
 
+/// 0.25, but for some pixels that have `bad` in one of the channels that count.
+std::string mostlyGood(const char* bad, int channels) {
+  return std::string("float zero = surface.pixel.x * 0.0;\n") +
+         "bool isBad = surface.levelPixel.x % 5 == 2 && surface.levelPixel.y % 3 == 1;\n"
+         "vec4 value = vec4(0.25);\n"
+         "if (isBad) value." +
+         (channels == 1 ? "r" : "b") + " = " + bad + ";\nreturn value;";
+}
+
+TEST_F(MultiResolutionTest, ValuesThatAreNoNumbersBecomeTheBackgroundAndSpreadNowhere) {
+  const glm::ivec2 size(97, 61);
+  const SyntheticGBuffer gbuffer(size, perspective(size), room());
+  for (const char* bad : {"0.0 / zero", "1.0 / zero", "-1.0 / zero", "sqrt(zero - 1.0)"}) {
+    for (const int channels : {1, 3}) {
+      for (const bool filtered : {false, true}) {
+        TestEffect effect({.body = mostlyGood(bad, channels),
+                           .channels = channels,
+                           .filtered = filtered,
+                           .background = glm::vec4(0.25f)});
+        multiResolution_.forget("test");
+        EXPECT_THAT(mixed(effect, gbuffer.frame()), testing::Each(0.25f)) << bad << ", " << channels;
+        EXPECT_THAT(full(effect, gbuffer.frame()), testing::Each(0.25f)) << bad << ", " << channels;
+      }
+    }
+  }
+}
+
+TEST_F(MultiResolutionTest, ValuesBeyondTheRangeOfHalfFloatsEndWithIt) {
+  const glm::ivec2 size(97, 61);
+  const SyntheticGBuffer gbuffer(size, perspective(size), plane({0.1, 0.1, 1.0}, -5.0));
+  TestEffect effect({.body = "return vec4(surface.pixel.x < 48.0 ? 1e30 : -70000.0);", .filtered = true});
+  EXPECT_TRUE(isFinite(full(effect, gbuffer.frame())));
+  EXPECT_TRUE(isFinite(mixed(effect, gbuffer.frame())));
+}
+
 TEST_F(MultiResolutionTest, EdgesEverywhereGiveTheNaivePictureBitForBit) {
   for (const glm::ivec2 size : {glm::ivec2(96, 64), glm::ivec2(71, 53)}) {
     const SyntheticGBuffer gbuffer(size, perspective(size), withRandomNormals(room()));
