@@ -4,7 +4,9 @@
 #include <span>
 
 #include "effects/ssao/sample_points.h"
+#include "mres/gl/uniform_buffer.h"
 #include "mres/validate.h"
+#include "shaders/effects/ssao_params.h"
 
 namespace mres {
 
@@ -29,9 +31,17 @@ params::SsaoParams makeParams(const SsaoSettings& settings) {
 
 }  // namespace
 
-Ssao::Ssao(const SsaoSettings& settings) {
+static_assert(kMaxSsaoSamples == SSAO_MAX_SAMPLES);
+
+struct Ssao::Block {
+  gl::UniformBuffer<params::SsaoParams> params;
+};
+
+Ssao::Ssao(const SsaoSettings& settings) : block_(std::make_unique<Block>()) {
   setSettings(settings);
 }
+
+Ssao::~Ssao() = default;
 
 void Ssao::setSettings(const SsaoSettings& settings) {
   validate("SsaoSettings", settings);
@@ -56,9 +66,9 @@ void Ssao::setUp(const gl::Program& program) {
 }
 
 void Ssao::bind() {
-  if (!uploaded_) params_.upload(makeParams(settings_));
+  if (!uploaded_) block_->params.upload(makeParams(settings_));
   uploaded_ = true;
-  params_.bind(kEffectBlockBinding);
+  block_->params.bind(kEffectBlockBinding);
 }
 
 }  // namespace mres

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <memory>
+
 #include "mres/effect.h"
-#include "mres/gl/uniform_buffer.h"
 #include "mres/settings.h"
-#include "shaders/effects/ssao_params.h"
 
 namespace mres {
+
+inline constexpr int kMaxSsaoSamples = 256;
 
 struct SsaoSettings {
   float radius = 0.5f;  ///< metres, [0, 100]. Reach of the occlusion.
@@ -19,7 +21,7 @@ struct SsaoSettings {
 template <class Visitor>
 void visit(SsaoSettings& settings, Visitor&& visitor) {
   visitor("radius", settings.radius, SettingInfo{"metres", 0.0, 100.0, "Reach of the occlusion."});
-  visitor("samples", settings.samples, SettingInfo{"", 1.0, SSAO_MAX_SAMPLES, "Points per pixel."});
+  visitor("samples", settings.samples, SettingInfo{"", 1.0, kMaxSsaoSamples, "Points per pixel."});
   visitor("intensity", settings.intensity, SettingInfo{"", 0.0, 4.0, "Multiplies the occlusion."});
   visitor("bias", settings.bias,
           SettingInfo{"radii", 0.0, 1.0, "Lower rises over the tangent plane do not occlude."});
@@ -32,6 +34,11 @@ class Ssao final : public Effect {
  public:
   /// Throws std::invalid_argument if a setting is out of range.
   explicit Ssao(const SsaoSettings& settings = {});
+  ~Ssao() override;
+  Ssao(const Ssao&) = delete;
+  Ssao& operator=(const Ssao&) = delete;
+  Ssao(Ssao&&) = delete;
+  Ssao& operator=(Ssao&&) = delete;
 
   [[nodiscard]] const SsaoSettings& settings() const { return settings_; }
   void setSettings(const SsaoSettings& settings);
@@ -42,8 +49,10 @@ class Ssao final : public Effect {
   void bind() override;
 
  private:
+  struct Block;
+
   SsaoSettings settings_;
-  gl::UniformBuffer<params::SsaoParams> params_;
+  std::unique_ptr<Block> block_;  // keeps the header that C++ and GLSL share out of users' files
   bool uploaded_ = false;
 };
 

@@ -31,6 +31,8 @@ class SlowQueries {
   }
   SlowQueries(const SlowQueries&) = delete;
   SlowQueries& operator=(const SlowQueries&) = delete;
+  SlowQueries(SlowQueries&&) = delete;
+  SlowQueries& operator=(SlowQueries&&) = delete;
 
   static void nextFrame() { ++frame; }
 

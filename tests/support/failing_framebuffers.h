@@ -9,6 +9,8 @@ class FailingFramebuffers {
   ~FailingFramebuffers();
   FailingFramebuffers(const FailingFramebuffers&) = delete;
   FailingFramebuffers& operator=(const FailingFramebuffers&) = delete;
+  FailingFramebuffers(FailingFramebuffers&&) = delete;
+  FailingFramebuffers& operator=(FailingFramebuffers&&) = delete;
 };
 
 }  // namespace mres::test

@@ -1,0 +1,8 @@
+// Compiles what users include as they compile it: without the include path of the shaders' parameter headers,
+// whose macros have no prefix.
+#include "effects/ssao/ssao.h"
+#include "mres/mres.h"
+
+#if defined(UNIFORM_BLOCK) || defined(BEGIN_PARAMS) || defined(SSAO_MAX_SAMPLES)
+#error "A public header includes a header of the shaders."
+#endif
