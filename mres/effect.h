@@ -53,7 +53,7 @@ struct EffectDescription {
 
 /// Where an effect puts its own resources for a draw; lower units and bindings are taken by mres.
 inline constexpr GLuint kEffectTextureUnit = 6;   ///< 6..11 are the effect's
-inline constexpr GLuint kEffectBlockBinding = 2;  ///< 2..3 are the effect's
+inline constexpr GLuint kEffectBlockBinding = 3;  ///< 3..4 are the effect's
 
 class Effect {
  public:

@@ -9,7 +9,7 @@ namespace mres::gl {
 
 /// How much of the binding state mres uses; the guard saves exactly that much.
 inline constexpr GLuint kTextureUnits = 12;
-inline constexpr GLuint kUniformBindings = 4;
+inline constexpr GLuint kUniformBindings = 5;
 
 /// Saves every piece of OpenGL state that mres changes or depends on, sets it to OpenGL's defaults, and puts
 /// the host's values back when it ends. Exists once per public call, so that no call leaks state into the

@@ -5,6 +5,7 @@
 #include "mres/gl/profiler.h"
 #include "mres/gl/program.h"
 #include "mres/gl/shader_library.h"
+#include "mres/gl/state_guard.h"
 #include "mres/gl/texture.h"
 
 namespace mres {
@@ -23,6 +24,10 @@ static_assert(kRefineUnit < kEffectTextureUnit, "an effect's textures stay bound
 
 /// Uniform blocks; an effect's own start at kEffectBlockBinding.
 enum BlockBinding : GLuint { kFrameBlock = 0, kLevelBlock = 1, kPassBlock = 2 };
+
+static_assert(kPassBlock < kEffectBlockBinding, "an effect's blocks stay bound while levels are composed");
+static_assert(kEffectTextureUnit + 6 == gl::kTextureUnits && kEffectBlockBinding + 2 == gl::kUniformBindings,
+              "the state guard saves what is the effect's, too");
 
 /// What all passes of one MultiResolution share.
 struct PassContext {
