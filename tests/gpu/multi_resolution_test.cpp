@@ -57,7 +57,7 @@ TEST_F(MultiResolutionTest, NothingUndefinedIsEverComposited) {
         multiResolution_.settings().mask.refineThreshold = threshold;
         const Picture clean = mixed(ssao, gbuffer.frame());
         ASSERT_TRUE(isFinite(clean));
-        for (const float poison : {kNan, -60000.0f}) {
+        for (const float poison : {kNan, -60000.0f, 60000.0f}) {
           multiResolution_.fillTargets(poison);
           ASSERT_EQ(mixed(ssao, gbuffer.frame()), clean)
               << size.x << "x" << size.y << ", levels " << levels << ", poison " << poison;
@@ -101,7 +101,12 @@ TEST_F(MultiResolutionTest, AConstantGivesTheSameConstantAtEverySize) {
         glm::ivec2(15), glm::ivec2(16), glm::ivec2(31, 17), glm::ivec2(127, 61), glm::ivec2(251, 257)}) {
     const SyntheticGBuffer gbuffer(size, perspective(size), room());
     for (const auto& effect : effects) {
-      for (const Picture& picture : {full(*effect, gbuffer.frame()), mixed(*effect, gbuffer.frame())}) {
+      std::vector<Picture> pictures{full(*effect, gbuffer.frame())};
+      for (const float threshold : {0.0f, MaskSettings{}.refineThreshold}) {
+        multiResolution_.settings().mask.refineThreshold = threshold;
+        pictures.push_back(mixed(*effect, gbuffer.frame()));
+      }
+      for (const Picture& picture : pictures) {
         stored = stored.value_or(picture.front());
         ASSERT_NEAR(*stored, kValue, kValue / 1024.0f);
         ASSERT_THAT(picture, testing::Each(*stored))
