@@ -1,9 +1,10 @@
 #include "effects/ssao/ssao.h"
 
-#include <cmath>
+#include <algorithm>
+#include <iterator>
 #include <span>
 
-#include "effects/ssao/sample_points.h"
+#include "effects/common/sample_points.h"
 #include "mres/gl/uniform_buffer.h"
 #include "mres/validate.h"
 #include "shaders/effects/ssao_params.h"
@@ -22,10 +23,7 @@ params::SsaoParams makeParams(const SsaoSettings& settings) {
   params.bias = settings.bias;
   params.intensity = settings.intensity;
   params.sampleCount = settings.samples;
-  int index = 0;
-  for (const glm::vec3 point : hemispherePoints(settings.samples, settings.seed)) {
-    params.samples[index++] = glm::vec4(point, std::log2(glm::length(point)));
-  }
+  std::ranges::copy(hemispherePointsForShader(settings.samples, settings.seed), std::begin(params.samples));
   return params;
 }
 

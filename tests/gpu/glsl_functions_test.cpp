@@ -1,4 +1,5 @@
-// The GLSL functions of frame.glsl, level.glsl and ssao.glsl against double-precision C++ on random input.
+// The GLSL functions of frame.glsl, level.glsl and hemisphere.glsl against double-precision C++ on random
+// input.
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <random>
@@ -273,7 +274,7 @@ TEST_F(GlslFunctions, TangentFrameIsOrthonormalForEveryNormal) {
   normals.emplace_back(0.0f, -1.0f, -0.0f, 0.0f);
 
   const std::string functions =
-      "#include \"mres/surface.glsl\"\n#include \"effects/ssao.glsl\"\n"
+      "#include \"effects/common/hemisphere.glsl\"\n"
       "vec4 angles(vec3 n) { vec3 t, b; tangentFrame(n, t, b); return vec4(dot(t, b), dot(t, n), dot(b, n), "
       "0.0); }\n"
       "vec4 lengths(vec3 n) { vec3 t, b; tangentFrame(n, t, b); return vec4(length(t), length(b), "

@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 #include <limits>
 #include <optional>
-#include <random>
 
 #include "effects/ssao/ssao.h"
 #include "mres/mres.h"
@@ -21,18 +20,6 @@ constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 SsaoSettings ssaoWith(unsigned levels, int samples = 8) {
   return {.samples = samples, .levels = levelSubset(levels)};
-}
-
-/// Every normal points elsewhere, so that everything is an edge.
-RayCaster withRandomNormals(RayCaster scene) {
-  auto generator = std::make_shared<std::mt19937>(1);
-  return [scene = std::move(scene), generator](glm::dvec3 origin, glm::dvec3 direction) {
-    std::normal_distribution<double> random;
-    std::optional<Hit> hit = scene(origin, direction);
-    if (hit)
-      hit->normal = glm::normalize(glm::dvec3(random(*generator), random(*generator), random(*generator)));
-    return hit;
-  };
 }
 
 class MultiResolutionTest : public GlTest {

@@ -6,6 +6,7 @@
 
 #include "tests/support/gl_test.h"
 #include "tests/support/pictures.h"
+#include "tests/support/unfiltered.h"
 
 namespace mres::test {
 namespace {
@@ -15,7 +16,7 @@ class SsaoReferenceTest : public GlTest {
   /// Compares some hundreds of pixels. A few samples of a pixel may fall to the other side of a decision
   /// (which pixel, which mip, in front or behind) by rounding: at most three, and in few pixels.
   void expectLikeReference(const SyntheticGBuffer& gbuffer, const SsaoSettings& settings) {
-    UnfilteredSsao effect(settings);
+    Unfiltered<Ssao> effect(settings);
     MultiResolution multiResolution;
     multiResolution.settings().technique = Technique::full;
     const Picture picture = renderPicture(multiResolution, effect, gbuffer.frame());

@@ -6,7 +6,6 @@
 #include <random>
 
 #include "tests/support/gl_test.h"
-#include "tests/support/mask_bench.h"
 #include "tests/support/pictures.h"
 #include "tests/support/sentences.h"
 #include "tests/support/synthetic_gbuffer.h"
@@ -26,21 +25,6 @@ class SsaoTest : public GlTest {
   MultiResolution multiResolution_;
   Ssao ssao_;
 };
-
-/// Mean over a square of pixels.
-double meanAround(const Image& image, glm::ivec2 centre, int reach = 2) {
-  double sum = 0.0;
-  for (int y = -reach; y <= reach; ++y) {
-    for (int x = -reach; x <= reach; ++x) sum += static_cast<double>(image.at(centre + glm::ivec2(x, y)));
-  }
-  return sum / ((2 * reach + 1) * (2 * reach + 1));
-}
-
-/// The pixel that shows a view-space position, by a camera with its axis through the centre.
-glm::ivec2 pixelOf(const glm::mat4& projection, glm::ivec2 size, glm::dvec3 position) {
-  const glm::dvec4 clip = glm::dmat4(projection) * glm::dvec4(position, 1.0);
-  return glm::ivec2((glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(size));
-}
 
 double meanOf(const Image& image) {
   double sum = 0.0;

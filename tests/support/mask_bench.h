@@ -1,6 +1,5 @@
 #pragma once
 
-#include <glm/glm.hpp>
 #include <vector>
 
 #include "mres/frame.h"
@@ -9,18 +8,9 @@
 #include "mres/mask/edge_pass.h"
 #include "mres/mask/mask_pass.h"
 #include "mres/plan/level_plan.h"
+#include "tests/support/pictures.h"
 
 namespace mres::test {
-
-/// One channel or more of a small picture, with its size.
-struct Image {
-  glm::ivec2 size{0};
-  int channels = 1;
-  std::vector<float> texels;
-  [[nodiscard]] float at(glm::ivec2 texel, int channel = 0) const {
-    return texels.at(static_cast<std::size_t>((texel.y * size.x + texel.x) * channels + channel));
-  }
-};
 
 Image readImage(const gl::Texture2D& texture, int channels);
 

@@ -42,9 +42,24 @@ bool isFinite(const Picture& picture) {
   return std::ranges::all_of(picture, [](float value) { return std::isfinite(value); });
 }
 
+double meanAround(const Image& image, glm::ivec2 centre, int channel) {
+  constexpr int kReach = 2;
+  constexpr int kSide = 2 * kReach + 1;
+  double sum = 0.0;
+  for (int i = 0; i < kSide * kSide; ++i) {
+    sum += static_cast<double>(image.at(centre + glm::ivec2(i % kSide, i / kSide) - kReach, channel));
+  }
+  return sum / (kSide * kSide);
+}
+
 glm::mat4 perspective(glm::ivec2 size, float verticalDegrees) {
   return glm::perspective(glm::radians(verticalDegrees),
                           static_cast<float>(size.x) / static_cast<float>(size.y), 0.1f, 100.0f);
+}
+
+glm::ivec2 pixelOf(const glm::mat4& projection, glm::ivec2 size, glm::dvec3 position) {
+  const glm::dvec4 clip = glm::dmat4(projection) * glm::dvec4(position, 1.0);
+  return glm::ivec2((glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(size));
 }
 
 }  // namespace mres::test

@@ -9,6 +9,16 @@ namespace mres::test {
 
 using Picture = std::vector<float>;
 
+/// One channel or more of a small picture, with its size.
+struct Image {
+  glm::ivec2 size{0};
+  int channels = 1;
+  std::vector<float> texels;
+  [[nodiscard]] float at(glm::ivec2 texel, int channel = 0) const {
+    return texels.at(static_cast<std::size_t>((texel.y * size.x + texel.x) * channels + channel));
+  }
+};
+
 /// Lets edges alone decide what is refined, as the paper does.
 void refineAtEveryEdge(MultiResolution& multiResolution);
 
@@ -20,7 +30,13 @@ double maxDifference(const Picture& a, const Picture& b);
 double rootMeanSquare(const Picture& a, const Picture& b);
 bool isFinite(const Picture& picture);
 
+/// Mean over a square of pixels.
+double meanAround(const Image& image, glm::ivec2 centre, int channel = 0);
+
 /// A perspective projection with near plane 0.1 m and far plane 100 m.
 glm::mat4 perspective(glm::ivec2 size, float verticalDegrees = 60.0f);
+
+/// The pixel that shows a view-space position.
+glm::ivec2 pixelOf(const glm::mat4& projection, glm::ivec2 size, glm::dvec3 position);
 
 }  // namespace mres::test

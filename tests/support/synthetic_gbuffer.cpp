@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -149,6 +151,17 @@ RayCaster room() {
     }
   }
   return nearest(std::move(scenes));
+}
+
+RayCaster withRandomNormals(RayCaster scene) {
+  auto generator = std::make_shared<std::mt19937>(1);
+  return [scene = std::move(scene), generator](glm::dvec3 origin, glm::dvec3 direction) {
+    std::normal_distribution<double> random;
+    std::optional<Hit> hit = scene(origin, direction);
+    if (hit)
+      hit->normal = glm::normalize(glm::dvec3(random(*generator), random(*generator), random(*generator)));
+    return hit;
+  };
 }
 
 }  // namespace mres::test

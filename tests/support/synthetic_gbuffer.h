@@ -62,4 +62,7 @@ RayCaster box(glm::dvec3 min, glm::dvec3 max);
 /// A floor, walls, and many boxes and spheres: a room with every kind of edge, filling the picture.
 RayCaster room();
 
+/// Every normal points elsewhere, so that everything is an edge.
+RayCaster withRandomNormals(RayCaster scene);
+
 }  // namespace mres::test

@@ -1,4 +1,4 @@
-#include "effects/ssao/sample_points.h"
+#include "effects/common/sample_points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,7 @@ TEST_P(SamplePoints, DistancesAreStratified) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Counts, SamplePoints, testing::Values(1, 2, 3, 16, 64, 255, 256));
+INSTANTIATE_TEST_SUITE_P(Counts, SamplePoints, testing::Values(1, 2, 3, 16, 64, 255, 256, 8192));
 
 // Cosine-weighted directions have mean cosine 2/3, mean squared cosine 1/2, and no preferred azimuth.
 TEST(SamplePointsDistribution, DirectionsAreCosineWeighted) {

@@ -9,4 +9,7 @@ namespace mres {
 /// stratified.
 std::vector<glm::vec3> hemispherePoints(int count, int seed);
 
+/// The same as shaders/effects/common/hemisphere.glsl reads them: w is log2 of the distance.
+std::vector<glm::vec4> hemispherePointsForShader(int count, int seed);
+
 }  // namespace mres

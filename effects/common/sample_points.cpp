@@ -1,4 +1,4 @@
-#include "effects/ssao/sample_points.h"
+#include "effects/common/sample_points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +26,15 @@ std::vector<glm::vec3> hemispherePoints(int count, int seed) {
     const glm::dvec3 direction(sine * std::cos(kTwoPi * u.y), sine * std::sin(kTwoPi * u.y), cosine);
     const double distance = (i + u.z) / count;
     points.emplace_back(direction * std::max(distance, 1e-3));
+  }
+  return points;
+}
+
+std::vector<glm::vec4> hemispherePointsForShader(int count, int seed) {
+  std::vector<glm::vec4> points;
+  points.reserve(static_cast<std::size_t>(count));
+  for (const glm::vec3 point : hemispherePoints(count, seed)) {
+    points.emplace_back(point, std::log2(glm::length(point)));
   }
   return points;
 }
