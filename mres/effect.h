@@ -49,6 +49,9 @@ struct EffectDescription {
   bool filtered =
       true;  ///< Noise of a repeating 4x4 pattern, removed by the depth-aware filter of each level.
   bool readsPyramid = true;  ///< Wants the mip pyramid of view depth.
+  bool hasPreview =
+      false;  ///< `shader` also defines `vec2 preview(Surface surface)`, cheaply: the least and the
+              ///< largest value, 0..1, that shade() may have there. Finds the effect's own edges.
 };
 
 /// Where an effect puts its own resources for a draw; lower units and bindings are taken by mres.

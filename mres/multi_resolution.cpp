@@ -21,6 +21,7 @@
 #include "mres/level/pass_context.h"
 #include "mres/mask/edge_pass.h"
 #include "mres/mask/mask_pass.h"
+#include "mres/mask/preview_pass.h"
 #include "mres/mask/zone_pass.h"
 #include "mres/plan/level_plan.h"
 #include "mres/validate.h"
@@ -45,11 +46,19 @@ struct SharedPasses {
 /// The passes of one effect.
 struct EffectPasses {
   EffectPasses(const gl::ShaderLibrary& library, const EffectDescription& description)
-      : effect(library, description), composite(library, description) {}
+      : effect(library, description), preview(library, description), composite(library, description) {}
 
   EffectPass effect;
+  PreviewPass preview;
   CompositePass composite;
   CoverageQueries coverage;
+};
+
+/// What a reload compiles of an effect before anything is replaced.
+struct EffectPrograms {
+  gl::Program effect;
+  PreviewPass preview;
+  CompositePass composite;
 };
 
 }  // namespace
@@ -70,6 +79,7 @@ struct MultiResolution::Implementation {
   void uploadLevels(EffectPass& effect, glm::ivec2 fullSize);
   [[nodiscard]] bool isCoarsest(std::size_t planned) const { return planned + 1 == plan.levels.size(); }
   ZoneInputs zoneOf(EffectPass& effect, std::size_t planned);
+  void drawMasks(EffectPasses& passes, const params::FrameParams& params, DepthFormat depth);
   void renderLevels(EffectPasses& passes);
   void drawEffect(EffectPasses& passes, std::size_t planned);
   void fillReport(EffectPasses& passes);
@@ -83,6 +93,7 @@ struct MultiResolution::Implementation {
   std::map<std::string, EffectPasses, std::less<>> effects;
   std::optional<DebugViewPass> debugViewPass;
   LevelPlan plan;
+  EdgeImages edges;         // of the last frame
   bool hasPicture = false;  // everything that the plan names was rendered
   Report report;
 };
@@ -95,6 +106,7 @@ EffectPasses& MultiResolution::Implementation::passesOf(Effect& effect) {
   }
   found->second.effect.expectSame(effect);
   found->second.effect.setUp(effect);
+  found->second.preview.setUp(effect);
   return found->second;
 }
 
@@ -138,16 +150,28 @@ GLuint MultiResolution::Implementation::render(Effect& effect, const Frame& fram
   plan = planLevels(settings.technique, effect.levels(), frame.size);
   uploadLevels(passes.effect, frame.size);
   if (effect.description().readsPyramid) shared->pyramid.draw(context, frame.size);
-  if (plan.levels.size() > 1) {
-    shared->edges.draw(context, settings.mask, params, depth);
-    shared->masks.draw(context, shared->edges.edges(), plan);
-  }
   effect.bind();
+  edges = {};
+  if (plan.levels.size() > 1) drawMasks(passes, params, depth);
   renderLevels(passes);
   context.profiler.endFrame();
   fillReport(passes);
   hasPicture = true;
   return passes.effect.targets(plan.levels.front().index).composed().color().id();
+}
+
+void MultiResolution::Implementation::drawMasks(EffectPasses& passes, const params::FrameParams& params,
+                                                DepthFormat depth) {
+  const bool wantsGeometry = !passes.preview || settings.mask.geometryAlways;
+  if (wantsGeometry) {
+    shared->edges.draw(context, settings.mask, params, depth);
+    edges.geometry = &shared->edges.edges();
+  }
+  if (passes.preview) {
+    passes.preview.draw(context, settings.mask, params.size, edges.geometry);
+    edges.effect = &passes.preview.edges();
+  }
+  shared->masks.draw(context, passes.preview ? *edges.effect : *edges.geometry, plan);
 }
 
 void MultiResolution::Implementation::renderLevels(EffectPasses& passes) {
@@ -185,8 +209,8 @@ void MultiResolution::Implementation::fillReport(EffectPasses& passes) {
   }
   report.skipped.assign(plan.skipped.begin(), plan.skipped.end());
   report.stages = context.profiler.stages();
-  report.bytes = passes.effect.bytes() + shared->pyramid.bytes() + shared->edges.bytes() +
-                 shared->masks.bytes() + shared->zones.bytes();
+  report.bytes = passes.effect.bytes() + passes.preview.bytes() + shared->pyramid.bytes() +
+                 shared->edges.bytes() + shared->masks.bytes() + shared->zones.bytes();
 }
 
 GLuint MultiResolution::Implementation::debugView(DebugView view) {
@@ -196,26 +220,27 @@ GLuint MultiResolution::Implementation::debugView(DebugView view) {
   const glm::ivec2 size = plan.levels.front().size;
   const bool levels = view == DebugView::levels;
   if (levels) return debugViewPass->drawLevels(context, shared->zones, plan).id();
-  const bool hasEdges = plan.levels.size() > 1;
-  return debugViewPass->drawEdges(context, hasEdges ? &shared->edges.edges() : nullptr, size).id();
+  return debugViewPass->drawEdges(context, edges, size).id();
 }
 
 void MultiResolution::Implementation::reloadShaders() {
   // Everything is compiled before anything is replaced.
   SharedPasses newShared(context.library);
   DebugViewPass newDebugView(context.library);
-  std::vector<std::pair<gl::Program, CompositePass>> newEffects;
+  std::vector<EffectPrograms> newEffects;
   for (const auto& [name, passes] : effects) {
-    newEffects.emplace_back(passes.effect.compile(context.library),
-                            CompositePass(context.library, passes.effect.effect()));
+    const EffectDescription& description = passes.effect.effect();
+    newEffects.push_back({passes.effect.compile(context.library), PreviewPass(context.library, description),
+                          CompositePass(context.library, description)});
   }
 
   shared.emplace(std::move(newShared));
   debugViewPass.emplace(std::move(newDebugView));
   auto replacement = newEffects.begin();
   for (auto& [name, passes] : effects) {
-    passes.effect.setProgram(std::move(replacement->first));
-    passes.composite = std::move(replacement->second);
+    passes.effect.setProgram(std::move(replacement->effect));
+    passes.preview = std::move(replacement->preview);
+    passes.composite = std::move(replacement->composite);
     ++replacement;
   }
   hasPicture = false;  // there are no masks to show

@@ -22,6 +22,7 @@ struct MaskSettings {
   float normalThreshold = 20.0f;  ///< degrees, [0, 180]. Neighbours' normals further apart are an edge.
   float depthThreshold = 0.05f;   ///< metres, [0, 100]. Larger steps in depth, off a plane, are an edge.
   float refineThreshold = 0.05f;  ///< [0, 1] of the effect's range. Least gain worth refining; 0: any.
+  bool geometryAlways = false;  ///< Refine at geometry's edges even for effects that find edges of their own.
 };
 
 template <class Visitor>
@@ -35,6 +36,11 @@ void visit(MaskSettings& settings, Visitor&& visitor) {
       SettingInfo{"", 0.0, 1.0,
                   "At edges, refine a level further only where it differed from the coarser one by more; 0: "
                   "wherever there are edges."});
+  visitor(
+      "geometryAlways", settings.geometryAlways,
+      SettingInfo{
+          "", 0.0, 1.0,
+          "Refine at geometry's edges even for effects that find edges of their own, as soft shadows do."});
 }
 
 /// Of a MultiResolution; may change from frame to frame.

@@ -15,9 +15,10 @@ DebugViewPass::DebugViewPass(const gl::ShaderLibrary& library)
   levels_.setTextureUnit("quarterZone", kQuarterZoneUnit);
 }
 
-const gl::Texture2D& DebugViewPass::drawEdges(PassContext& context, const gl::Texture2D* edges,
+const gl::Texture2D& DebugViewPass::drawEdges(PassContext& context, const EdgeImages& edges,
                                               glm::ivec2 fullSize) {
-  gl::bindTexture(kSourceUnit, edges == nullptr ? 0 : edges->id(), context.nearest);
+  gl::bindTexture(kSourceUnit, edges.geometry == nullptr ? 0 : edges.geometry->id(), context.nearest);
+  gl::bindTexture(kMaskUnit, edges.effect == nullptr ? 0 : edges.effect->id(), context.nearest);
   draw(context, edges_, fullSize);
   return target_.color();
 }

@@ -7,13 +7,20 @@
 
 namespace mres {
 
+/// The edge images that a frame made its masks of; null for those that it needed not.
+struct EdgeImages {
+  const gl::Texture2D* geometry = nullptr;
+  const gl::Texture2D* effect = nullptr;
+};
+
 /// Draws pictures of the decision that the last frame made.
 class DebugViewPass {
  public:
   explicit DebugViewPass(const gl::ShaderLibrary& library);
 
-  /// `edges` is null where the frame needed none: the picture is black.
-  const gl::Texture2D& drawEdges(PassContext& context, const gl::Texture2D* edges, glm::ivec2 fullSize);
+  /// Red normals, green depth, blue the effect's own edges; black where an edge image is null, not needed by
+  /// the frame.
+  const gl::Texture2D& drawEdges(PassContext& context, const EdgeImages& edges, glm::ivec2 fullSize);
   const gl::Texture2D& drawLevels(PassContext& context, const ZonePass& zones, const LevelPlan& plan);
 
  private:

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "mres/level/effect_program.h"
 #include "mres/mask/zone_pass.h"
 
 namespace mres {
@@ -18,12 +19,7 @@ EffectPass::EffectPass(const gl::ShaderLibrary& library, const EffectDescription
     : description_(description), program_(compile(library)) {}
 
 gl::Program EffectPass::compile(const gl::ShaderLibrary& library) const {
-  gl::ShaderLibrary extended = library;
-  extended.add(effect().shaders);
-  extended.add("effect", "#include \"" + std::string(effect().shader) + "\"\n");
-  gl::Program program =
-      makePassProgram(extended, "mres/effect_level.frag",
-                      "#define EFFECT_CHANNELS " + std::to_string(effect().channels) + "\n");
+  gl::Program program = makeEffectProgram(library, effect(), "mres/effect_level.frag");
   glUniform4fv(program.uniformLocation("backgroundValue"), 1, &effect().background.x);
   return program;
 }

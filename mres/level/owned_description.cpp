@@ -24,7 +24,7 @@ bool OwnedDescription::describes(const EffectDescription& other) const {
   return std::string_view(description_.name) == other.name &&
          std::string_view(description_.shader) == other.shader && description_.channels == other.channels &&
          description_.background == other.background && description_.filtered == other.filtered &&
-         description_.readsPyramid == other.readsPyramid &&
+         description_.readsPyramid == other.readsPyramid && description_.hasPreview == other.hasPreview &&
          std::ranges::equal(description_.shaders, other.shaders, sameFile);
 }
 

@@ -2,7 +2,8 @@
 // Pictures of the decision. VIEW_LEVELS: colour of the finest level that renders a pixel; else the edge image.
 #include "mres/level_params.h"
 
-uniform sampler2D sourceTexture;  // edges, or the zone of level 0
+uniform sampler2D sourceTexture;  // geometry's edges, or the zone of level 0
+uniform sampler2D maskTexture;    // the effect's edges
 uniform sampler2D halfZone;
 uniform sampler2D quarterZone;
 uniform ivec4 levelUsed;  // of levels 0, 1, 2: 1 if the frame rendered it and a coarser one
@@ -24,6 +25,7 @@ void main() {
     if (levelUsed.x == 1 && inZone(sourceTexture, 1)) color = kLevelColors[0];
     fragment = vec4(color, 1.0);
 #else
-    fragment = vec4(texelFetch(sourceTexture, ivec2(gl_FragCoord.xy) / 2, 0).rg, 0.0, 1.0);
+    ivec2 texel = ivec2(gl_FragCoord.xy) / 2;
+    fragment = vec4(texelFetch(sourceTexture, texel, 0).rg, texelFetch(maskTexture, texel, 0).r, 1.0);
 #endif
 }

@@ -1,17 +1,13 @@
 // What effects share that look around with points in the normal-oriented hemisphere over a surface: where the points
 // lie on the screen, and whether the depth buffer shows a surface in front of one.
+#include "effects/common/rotation_pattern.glsl"
 #include "mres/surface.glsl"
 
 uniform sampler2D depthPyramid;  // view depth; texel t of mip m is that of full-resolution pixel t * 2^m + 2^m / 2
 
-// The azimuth of the points steps through sixteen values in a 4x4 pattern (a 4x4 Bayer matrix, so that neighbours
-// differ much), which the level's filter integrates exactly.
-const int kBayer[16] = int[16](0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5);
 // log2 of the distance in pixels up to which samples read the full resolution; farther ones read a mip whose texels
 // are an eighth of their distance.
 const float kFullResolutionReach = 3.0;
-
-const float kAzimuthStep = 6.28318530718 / 16.0;
 
 // Any two axes perpendicular to a unit normal (Duff et al. 2017, "Building an Orthonormal Basis, Revisited").
 void tangentFrame(vec3 normal, out vec3 tangent, out vec3 bitangent) {
@@ -39,8 +35,7 @@ struct Hemisphere {
 };
 
 Hemisphere hemisphereOver(Surface surface, float radius, float bias) {
-    int turn = kBayer[(surface.levelPixel.y & 3) * 4 + (surface.levelPixel.x & 3)];
-    float azimuth = float(turn) * kAzimuthStep;
+    float azimuth = azimuthOf(surface.levelPixel);
     vec3 tangent, bitangent;
     tangentFrame(surface.normal, tangent, bitangent);
     Hemisphere over;
