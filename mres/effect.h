@@ -43,15 +43,19 @@ struct EffectDescription {
   const char* name;  ///< Unique among the effects that one MultiResolution renders, e.g. "ssao".
   const char*
       shader;  ///< Shader file that defines `vec4 shade(Surface surface)`; see shaders/mres/surface.glsl.
+               ///< Where it returns a NaN or an infinity the picture gets the background's value.
   std::span<const gl::ShaderFile> shaders;  ///< Files that `shader` needs beyond those of mres.
   int channels = 1;                         ///< 1 (result GL_R16F) or 3 (result GL_RGBA16F)
   glm::vec4 background{1.0f};               ///< The value where there is no surface.
   bool filtered =
       true;  ///< Noise of a repeating 4x4 pattern, removed by the depth-aware filter of each level.
-  bool readsPyramid = true;  ///< Wants the mip pyramid of view depth.
   bool hasPreview =
       false;  ///< `shader` also defines `vec2 preview(Surface surface)`, cheaply: the least and the
               ///< largest value, 0..1, that shade() may have there. Finds the effect's own edges.
+  /// Wants the mips of view depth, `uniform sampler2D depthPyramid`, read by texelFetch(): texel t of mip m
+  /// is the view depth of full-resolution pixel t * 2^m + 2^m / 2, 1e18 where there is no surface. Mip m has
+  /// max(size >> m, 1) texels, and there are `pyramidLevels` of them (shaders/mres/frame_params.h).
+  bool readsPyramid = true;
 };
 
 /// Where an effect puts its own resources for a draw; lower units and bindings are taken by mres.
@@ -68,7 +72,9 @@ class Effect {
   [[nodiscard]] virtual const EffectDescription& description() const = 0;
   [[nodiscard]] virtual const LevelTable& levels() const = 0;
 
-  /// Called once after `program` is linked and in use: binds the effect's samplers and blocks by name.
+  /// Called once for all effects of one name, on the first that is rendered, and again after
+  /// MultiResolution::reloadShaders(): binds the effect's samplers and blocks by name. `program` is linked
+  /// and in use. Keep nothing of it in the effect: an equal one renders with it, too.
   virtual void setUp(const gl::Program& program) = 0;
 
   /// Called before the draws of a frame: uploads the effect's settings, binds its textures and blocks.

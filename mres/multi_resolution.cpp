@@ -37,6 +37,13 @@ struct SharedPasses {
   explicit SharedPasses(const gl::ShaderLibrary& library)
       : pyramid(library), edges(library), masks(library), zones(library) {}
 
+  void fill(float value) const {
+    pyramid.fill(value);
+    edges.fill(value);
+    masks.fill(value);
+    zones.fill(value);
+  }
+
   DepthPyramid pyramid;
   EdgePass edges;
   MaskPass masks;
@@ -286,6 +293,7 @@ void MultiResolution::forget(std::string_view effectName) {
 
 void MultiResolution::fillTargets(float value) {
   const gl::StateGuard guard(implementation_->viewports);
+  implementation_->shared->fill(value);
   for (const auto& [name, passes] : implementation_->effects) passes.effect.fillTargets(value);
 }
 

@@ -29,7 +29,8 @@ enum class DebugView {
 /// "Multi-Resolution Rendering for Computationally Expensive Lighting Effects", 2019).
 ///
 /// Belongs to the OpenGL context (3.3 core or later) current when it is made; that context must be current in
-/// every call and when it is destroyed. Leaves all OpenGL state as it found it.
+/// every call and when it is destroyed. Leaves all OpenGL state as it found it; an occlusion query of the
+/// host that is active meanwhile counts what mres draws.
 class MultiResolution {
  public:
   /// Throws std::runtime_error if the driver rejects a shader.
@@ -64,7 +65,7 @@ class MultiResolution {
   /// there is none of that name.
   void forget(std::string_view effectName);
 
-  /// Fills every texture that an effect renders into, e.g. with NaN, to prove that nothing undefined is read.
+  /// Fills every texture that frames render into, e.g. with NaN, to prove that nothing undefined is read.
   void fillTargets(float value);
 
  private:

@@ -32,7 +32,8 @@ void visit(SsaoSettings& settings, Visitor&& visitor) {
 /// 1 (open).
 class Ssao final : public Effect {
  public:
-  /// Throws std::invalid_argument if a setting is out of range.
+  /// Needs the OpenGL context of its MultiResolution current, as does the destructor. Throws
+  /// std::invalid_argument if a setting is out of range.
   explicit Ssao(const SsaoSettings& settings = {});
   ~Ssao() override;
   Ssao(const Ssao&) = delete;

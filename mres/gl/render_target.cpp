@@ -104,6 +104,13 @@ void RenderTarget::bind() const {
   glViewport(0, 0, size_.x, size_.y);
 }
 
+void RenderTarget::fill(float value) const {
+  if (colors_.empty()) return;
+  bind();
+  const glm::vec4 texel(value);
+  for (std::size_t i = 0; i < colors_.size(); ++i) glClearBufferfv(GL_COLOR, static_cast<GLint>(i), &texel.x);
+}
+
 std::size_t RenderTarget::bytes() const {
   return std::accumulate(colors_.begin(), colors_.end(), depthStencil_.bytes(),
                          [](std::size_t sum, const Texture2D& texture) { return sum + texture.bytes(); });

@@ -38,6 +38,14 @@ void DepthPyramid::resize(glm::ivec2 fullSize) {
   framebuffers_ = std::move(framebuffers);
 }
 
+void DepthPyramid::fill(float value) const {
+  const glm::vec4 texel(value);
+  for (const gl::FramebufferName& framebuffer : framebuffers_) {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+    glClearBufferfv(GL_COLOR, 0, &texel.x);
+  }
+}
+
 void DepthPyramid::draw(PassContext& context, glm::ivec2 fullSize) {
   const gl::Scope scope(context.profiler, kLabel);
   if (texture_.size() != fullSize) resize(fullSize);

@@ -20,6 +20,9 @@ class DepthPyramid {
   /// Needs depth bound to its unit and the frame's block bound.
   void draw(PassContext& context, glm::ivec2 fullSize);
 
+  /// Fills every mip with `value`.
+  void fill(float value) const;
+
   [[nodiscard]] const gl::Texture2D& texture() const { return texture_; }
   [[nodiscard]] std::size_t bytes() const { return texture_.bytes(); }
 

@@ -5,9 +5,6 @@
 namespace mres {
 namespace {
 
-/// A picture, and where to refine it.
-constexpr GLint kMaxColors = 2;
-
 /// Where a size is no multiple of the stride, the coarser level's last pixel is evaluated at the last pixel
 /// of the screen, nearer to its neighbour than the others are: how pixels in between count
 /// (LevelParams::lastInterval).
@@ -49,12 +46,7 @@ std::size_t LevelTargets::bytes() const {
 }
 
 void LevelTargets::fill(float value) const {
-  const glm::vec4 color(value);
-  for (const gl::RenderTarget* target : {&raw(), &filteredAlongX(), &composed()}) {
-    if (!*target) continue;
-    target->bind();
-    for (GLint buffer = 0; buffer < kMaxColors; ++buffer) glClearBufferfv(GL_COLOR, buffer, &color.x);
-  }
+  for (const gl::RenderTarget* target : {&raw(), &filteredAlongX(), &composed()}) target->fill(value);
 }
 
 params::LevelParams levelParams(const LevelNeighbours& level, glm::ivec2 fullSize, float refineThreshold) {

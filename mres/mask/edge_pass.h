@@ -22,6 +22,7 @@ class EdgePass {
 
   /// GL_RG8, ceil(size / 2).
   [[nodiscard]] const gl::Texture2D& edges() const { return target_.color(); }
+  void fill(float value) const { target_.fill(value); }
   [[nodiscard]] std::size_t bytes() const { return target_.bytes(); }
 
  private:

@@ -117,6 +117,14 @@ void MaskPass::blur(PassContext& context, const gl::Texture2D& source, Level& le
   context.triangle.draw();
 }
 
+void MaskPass::fill(float value) const {
+  for (const Level& level : levels_) {
+    for (const gl::RenderTarget* target : {&level.edges, &level.blurredAlongX, &level.mask}) {
+      target->fill(value);
+    }
+  }
+}
+
 std::size_t MaskPass::bytes() const {
   std::size_t sum = 0;
   for (const Level& level : levels_)

@@ -29,6 +29,7 @@ class MaskPass {
 
   /// The mask of a level that draw() was given.
   [[nodiscard]] const gl::Texture2D& mask(int level) const { return levels_.at(slot(level)).mask.color(); }
+  void fill(float value) const;
   [[nodiscard]] std::size_t bytes() const;
 
  private:

@@ -18,6 +18,10 @@ void ZonePass::draw(PassContext& context, const PlannedLevel& level, const ZoneI
   context.triangle.draw();
 }
 
+void ZonePass::fill(float value) const {
+  for (const gl::RenderTarget& zone : zones_) zone.fill(value);
+}
+
 std::size_t ZonePass::bytes() const {
   std::size_t sum = 0;
   for (const gl::RenderTarget& zone : zones_) sum += zone.bytes();

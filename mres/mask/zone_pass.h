@@ -23,6 +23,7 @@ class ZonePass {
 
   /// GL_R8, ceil(level size / ZONE_BLOCK): 1 where the level renders.
   [[nodiscard]] const gl::Texture2D& zone(int level) const { return zones_.at(slot(level)).color(); }
+  void fill(float value) const;
   [[nodiscard]] std::size_t bytes() const;
 
  private:
