@@ -25,6 +25,8 @@ class MaskBench {
   /// The masks of a plan's levels but the last, from an edge image in a texture or from the last edges().
   std::vector<Image> masks(const gl::Texture2D& edges, const LevelPlan& plan);
   std::vector<Image> masks(const LevelPlan& plan) { return masks(edgePass_.edges(), plan); }
+  /// Of the last masks().
+  [[nodiscard]] const gl::Texture2D& mask(int level) const { return maskPass_.mask(level); }
 
  private:
   PassContext context_;
