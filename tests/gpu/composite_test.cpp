@@ -53,35 +53,89 @@ glm::dvec2 placeIn(const Image& coarser, glm::ivec2 pixel, int level, glm::ivec2
           placeAlong(pixel.y, level, coarser.size.y, fullSize.y)};
 }
 
-/// What a level's picture must be, given the picture of the coarser one (empty for the coarsest).
-Image compose(const PlannedLevel& level, glm::ivec2 fullSize, const Image& mask, const Image& coarser,
-              int coarserLevel) {
-  Image picture{level.size, 1, {}};
-  for (int y = 0; y < level.size.y; ++y) {
-    for (int x = 0; x < level.size.x; ++x) {
-      const glm::ivec2 pixel = representative({x, y}, level.index, fullSize);
-      double value = valueAt(pixel, level.index);
-      if (!coarser.texels.empty()) {
-        const double below = bilinear(coarser, placeIn(coarser, pixel, coarserLevel, fullSize));
-        const double a = bilinear(mask, (glm::dvec2(pixel) + 0.5) / std::exp2(level.index + 1));
-        const double alpha = std::min(a * static_cast<double>(level.settings.blendWeight), 1.0);
-        value = value * alpha + below * (1.0 - alpha);
-      }
-      picture.texels.push_back(static_cast<float>(value));
-    }
+/// A level's picture, and where it says that refining pays (empty where it has no say).
+struct Composed {
+  int level = 0;
+  Image picture;
+  Image refine;
+};
+
+/// The coarser level's say on a block or pixel whose corners lie there in its texels.
+double largestIn(const Image& image, glm::dvec2 low, glm::dvec2 high, int samplesPerAxis) {
+  double largest = 0.0;
+  for (int i = 0; i < samplesPerAxis * samplesPerAxis; ++i) {
+    const glm::dvec2 share = glm::dvec2(i % samplesPerAxis, i / samplesPerAxis) / (samplesPerAxis - 1.0);
+    largest = std::max(largest, bilinear(image, glm::mix(low, high, share)));
   }
-  return picture;
+  return largest;
 }
 
-Image composeAll(const LevelPlan& plan, const std::vector<Image>& masks) {
-  Image picture;
-  int coarserLevel = 0;
-  for (std::size_t i = plan.levels.size(); i-- > 0;) {
-    const Image mask = i < masks.size() ? masks[i] : Image{};
-    picture = compose(plan.levels[i], plan.levels.front().size, mask, picture, coarserLevel);
-    coarserLevel = plan.levels[i].index;
+/// What the coarser level found reaches one texel further, but for the finest level.
+double reachOf(const PlannedLevel& level) {
+  return level.index == 0 ? 0.0 : 1.0;
+}
+
+/// Whether a level renders the 4x4 block of `levelPixel`: its mask and, where there is one, the coarser
+/// level's say are above zero somewhere in it.
+bool inZone(const PlannedLevel& level, glm::ivec2 levelPixel, const Image& mask, const Composed& coarser) {
+  const double stride = std::exp2(level.index);
+  const glm::dvec2 low = glm::dvec2(levelPixel / 4 * 4) * stride;
+  const glm::dvec2 high = low + 4.0 * stride;
+  if (largestIn(mask, low / (2.0 * stride), high / (2.0 * stride), 2) == 0.0) return false;
+  if (coarser.refine.texels.empty()) return true;
+  const double coarserStride = std::exp2(coarser.level);
+  return largestIn(coarser.refine, low / coarserStride - reachOf(level),
+                   high / coarserStride + reachOf(level), 3) > 0.0;
+}
+
+/// The weight of equation 1, times the coarser level's say.
+double alphaAt(const PlannedLevel& level, glm::ivec2 pixel, glm::ivec2 fullSize, const Image& mask,
+               const Composed& coarser) {
+  const double a = bilinear(mask, (glm::dvec2(pixel) + 0.5) / std::exp2(level.index + 1));
+  const double alpha = std::min(a * static_cast<double>(level.settings.blendWeight), 1.0);
+  if (coarser.refine.texels.empty()) return alpha;
+  const glm::dvec2 place = placeIn(coarser.refine, pixel, coarser.level, fullSize);
+  const double say = largestIn(coarser.refine, place - reachOf(level), place + reachOf(level), 2);
+  return alpha * std::min(2.0 * say, 1.0);
+}
+
+Composed composeCoarsest(const PlannedLevel& level, glm::ivec2 fullSize) {
+  Composed composed{level.index, {level.size, 1, {}}, {}};
+  for (int i = 0; i < level.size.x * level.size.y; ++i) {
+    const glm::ivec2 pixel = representative({i % level.size.x, i / level.size.x}, level.index, fullSize);
+    composed.picture.texels.push_back(static_cast<float>(valueAt(pixel, level.index)));
   }
-  return picture;
+  return composed;
+}
+
+/// What a level must be over the coarser one. A threshold of 0 leaves the decision to the masks.
+Composed compose(const PlannedLevel& level, glm::ivec2 fullSize, const Image& mask, const Composed& coarser,
+                 double refineThreshold) {
+  Composed composed{level.index, {level.size, 1, {}}, {level.size, 1, {}}};
+  for (int i = 0; i < level.size.x * level.size.y; ++i) {
+    const glm::ivec2 levelPixel(i % level.size.x, i / level.size.x);
+    const glm::ivec2 pixel = representative(levelPixel, level.index, fullSize);
+    const double below = bilinear(coarser.picture, placeIn(coarser.picture, pixel, coarser.level, fullSize));
+    const double change = valueAt(pixel, level.index) - below;
+    const bool rendered = inZone(level, levelPixel, mask, coarser);
+    const double alpha = rendered ? alphaAt(level, pixel, fullSize, mask, coarser) : 0.0;
+    composed.picture.texels.push_back(static_cast<float>(below + change * alpha));
+    composed.refine.texels.push_back(rendered && std::abs(change) > refineThreshold ? 1.0f : 0.0f);
+  }
+  if (refineThreshold == 0.0) composed.refine = {};
+  return composed;
+}
+
+Image composeAll(const LevelPlan& plan, const std::vector<Image>& masks, double refineThreshold = 0.0) {
+  const glm::ivec2 fullSize = plan.levels.front().size;
+  Composed composed = composeCoarsest(plan.levels.back(), fullSize);
+  for (std::size_t i = plan.levels.size() - 1; i-- > 0;) {
+    // A level that decides for the half or the quarter level sees a quarter of the difference, or a
+    // sixteenth.
+    const double share = i == 0 ? 1.0 : std::exp2(-2.0 * plan.levels[i - 1].index);
+    composed = compose(plan.levels[i], fullSize, masks[i], composed, refineThreshold * share);
+  }
+  return composed.picture;
 }
 
 class Composite : public GlTest {
@@ -103,6 +157,14 @@ class Composite : public GlTest {
   MaskBench bench_;
 };
 
+double shareAbove(const Picture& a, const Picture& b, double limit) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    count += std::abs(static_cast<double>(a[i]) - static_cast<double>(b[i])) > limit ? 1u : 0u;
+  }
+  return static_cast<double>(count) / static_cast<double>(a.size());
+}
+
 TEST_F(Composite, FollowsEquationOneForEverySubsetOfLevels) {
   const glm::ivec2 size(131, 97);
   const SyntheticGBuffer gbuffer(size, perspective(size), room());
@@ -117,6 +179,62 @@ TEST_F(Composite, FollowsEquationOneAtOddSizesAndOtherWeights) {
     SCOPED_TRACE(size.x);
     const SyntheticGBuffer gbuffer(size, perspective(size), room());
     for (const float weight : {1.0f, 2.5f}) expectEquationOne(gbuffer, levelSubset(15), weight);
+  }
+}
+
+TEST_F(Composite, RefinesWhereTheCoarserLevelsSayThatItPays) {
+  for (const glm::ivec2 size : {glm::ivec2(131, 97), glm::ivec2(192, 128)}) {
+    const SyntheticGBuffer gbuffer(size, perspective(size), room());
+    for (const unsigned subset : {0b1111u, 0b1011u, 0b1101u, 0b0111u, 0b0011u}) {
+      for (const float threshold : {0.03f, 0.15f, 0.5f}) {
+        SCOPED_TRACE(testing::Message() << size.x << " pixels, levels " << subset << ", " << threshold);
+        LevelTable levels = levelSubset(subset);
+        for (LevelSettings& level : levels) level.blendWeight = 1.0f;
+        TestEffect effect({.body = kValue, .levels = levels});
+        MultiResolution multiResolution;
+        multiResolution.settings().mask.refineThreshold = threshold;
+        const Picture picture = renderPicture(multiResolution, effect, gbuffer.frame());
+        static_cast<void>(bench_.edges(gbuffer.frame()));
+        const LevelPlan plan = planLevels(Technique::multiResolution, levels, size);
+        const std::vector<Image> masks = bench_.masks(plan);
+        const Image expected = composeAll(plan, masks, static_cast<double>(threshold));
+        // A change within rounding of the threshold may be decided either way.
+        EXPECT_LT(rootMeanSquare(picture, expected.texels), 0.003);
+        EXPECT_LT(shareAbove(picture, expected.texels, 0.01), 0.002);
+        const bool hasSay = plan.levels.size() > 2;
+        EXPECT_EQ(shareAbove(composeAll(plan, masks).texels, expected.texels, 0.01) > 0.004, hasSay)
+            << "the test can tell";
+      }
+    }
+  }
+}
+
+LevelPlan withWeightsTimes(float factor, const LevelPlan& plan) {
+  LevelPlan changed;
+  for (PlannedLevel level : plan.levels) {
+    level.settings.blendWeight *= factor;
+    changed.levels.push_back(level);
+  }
+  return changed;
+}
+
+TEST_F(Composite, FollowsEquationOneWithTheWeightsAndVariancesOfTable1) {
+  for (const glm::ivec2 size : {glm::ivec2(131, 97), glm::ivec2(256, 192)}) {
+    const SyntheticGBuffer gbuffer(size, perspective(size), room());
+    TestEffect effect({.body = kValue, .levels = kSsaoLevels});
+    MultiResolution multiResolution;
+    refineAtEveryEdge(multiResolution);
+    const Picture picture = renderPicture(multiResolution, effect, gbuffer.frame());
+    static_cast<void>(bench_.edges(gbuffer.frame()));
+    const LevelPlan plan = planLevels(Technique::multiResolution, kSsaoLevels, size);
+    const std::vector<Image> masks = bench_.masks(plan);
+    // llvmpipe filters eight bits to eight bits, which a weight of 100 makes steps of 0.4.
+    constexpr double kLimit = 0.015;
+    EXPECT_LT(rootMeanSquare(picture, composeAll(plan, masks).texels), kLimit);
+    for (const float factor : {0.5f, 2.0f}) {
+      const Image wrong = composeAll(withWeightsTimes(factor, plan), masks);
+      EXPECT_GT(rootMeanSquare(picture, wrong.texels), 2.0 * kLimit) << "the test can tell";
+    }
   }
 }
 

@@ -257,6 +257,24 @@ TEST_F(MultiResolutionTest, ReportSaysWhatRan) {
   EXPECT_GT(report.bytes, 97u * 61u * 4u);
 }
 
+TEST_F(MultiResolutionTest, AnEffectWithoutDetailIsNotRefinedBeyondTheQuarterLevel) {
+  const glm::ivec2 size(193, 129);
+  const SyntheticGBuffer gbuffer(size, perspective(size), room());
+  MultiResolution multiResolution({.measureCoverage = true});
+  for (const bool filtered : {false, true}) {
+    TestEffect effect({.body = "return vec4(0.37);", .filtered = filtered});
+    multiResolution.forget("test");
+    multiResolution.render(effect, gbuffer.frame());
+    glFinish();
+    multiResolution.render(effect, gbuffer.frame());
+    const std::vector<LevelReport>& levels = multiResolution.report().levels;
+    ASSERT_EQ(levels.size(), 4u);
+    EXPECT_EQ(levels[0].coverage, 0.0);
+    EXPECT_EQ(levels[1].coverage, 0.0);
+    EXPECT_GT(levels[2].coverage, 0.1) << "the quarter level finds out";
+  }
+}
+
 TEST_F(MultiResolutionTest, ASteadyFrameAllocatesNothing) {
   const glm::ivec2 size(97, 61);
   const SyntheticGBuffer gbuffer(size, perspective(size), room());
@@ -435,6 +453,23 @@ TEST_F(DebugViews, ShowTheLevelThatRendered) {
       << "half is green";
   static_cast<void>(full(ssao, gbuffer.frame()));
   EXPECT_GT(colorAt(multiResolution_.debugView(DebugView::levels), size, {20, 20}).r, 0.5f) << "full is red";
+}
+
+TEST_F(DebugViews, ShowThatOnlyTheHalfWithDetailIsRefined) {
+  const glm::ivec2 size(192, 128);
+  const SyntheticGBuffer gbuffer(size, perspective(size), room());
+  TestEffect effect({.body = "return vec4(surface.pixel.x < 96.0 ? log2(float(levelStride)) / 4.0 : 0.5);"});
+  static_cast<void>(mixed(effect, gbuffer.frame()));
+  const std::vector<float> colors = readPixels(multiResolution_.debugView(DebugView::levels), size, 3);
+  constexpr int kBorder = 96 + 16;  // two pixels of the coarsest level see both halves
+  int refinedLeft = 0;
+  int refinedRight = 0;
+  for (int i = 0; i < size.x * size.y; ++i) {
+    const bool refined = std::max(colors[3 * i], colors[3 * i + 1]) > 0.5f;  // red full, green half
+    (i % size.x < kBorder ? refinedLeft : refinedRight) += refined ? 1 : 0;
+  }
+  EXPECT_GT(refinedLeft, 96 * size.y / 10);
+  EXPECT_EQ(refinedRight, 0);
 }
 
 TEST_F(DebugViews, OfTheFullTechniqueHaveNoEdges) {
