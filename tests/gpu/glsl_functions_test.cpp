@@ -7,6 +7,7 @@
 #include "mres/gl/uniform_buffer.h"
 #include "mres/level/frame_params.h"
 #include "mres/level/level_targets.h"
+#include "mres/level/pass_context.h"
 #include "tests/support/gl_test.h"
 #include "tests/support/glsl_function.h"
 
@@ -97,8 +98,11 @@ class GlslFunctions : public GlTest {
  protected:
   /// Runs frame.glsl's functions with the block of a frame.
   std::vector<glm::vec4> evaluateFrame(const std::string& expression, std::span<const glm::vec4> a,
-                                       const params::FrameParams& params) {
+                                       const params::FrameParams& params,
+                                       const gl::Texture2D* normals = nullptr) {
     return evaluate(kFrame, expression, a, {}, [&](const gl::Program& program) {
+      if (normals != nullptr) gl::bindTexture(kNormalUnit, normals->id(), nearest_);
+      program.setTextureUnit("normalTexture", kNormalUnit);
       program.setBlockBinding("FrameParams", 0);
       frameBlock_.upload(params);
       frameBlock_.bind(0);
@@ -115,6 +119,7 @@ class GlslFunctions : public GlTest {
   }
 
  private:
+  gl::SamplerName nearest_ = gl::makeSampler(gl::Filter::nearest);
   gl::UniformBuffer<params::FrameParams> frameBlock_;
   gl::UniformBuffer<params::LevelParams> levelBlock_;
 };
@@ -191,6 +196,35 @@ TEST_F(GlslFunctions, BackgroundIsWhereTheFarPlaneIs) {
     for (const Camera& camera : randomCameras(seed)) {
       EXPECT_EQ(frameParams(frameOf(camera, {64, 64})).backgroundDepth, camera.reversed ? 0.0f : 1.0f)
           << camera.name << ", seed " << seed;
+    }
+  }
+}
+
+TEST_F(GlslFunctions, ViewNormalOfEverySpaceAndEncoding) {
+  Random random(400);
+  std::vector<glm::vec4> texels;
+  std::vector<glm::vec4> places;
+  for (std::size_t i = 0; i < kInputs; ++i) {
+    texels.emplace_back(random(-1.0f, 1.0f), random(-1.0f, 1.0f), random(-1.0f, 1.0f), 1.0f);
+    places.emplace_back(i, 0, 0, 0);
+  }
+  const gl::Texture2D texture(GL_RGBA32F, {kInputs, 1}, "test.normals", 1, texels.data());
+  const glm::mat4 view =
+      glm::translate(glm::rotate(glm::mat4(1.0f), 2.0f, glm::normalize(glm::vec3(1, 2, 3))), {5, 6, 7});
+  for (const NormalSpace space : {NormalSpace::view, NormalSpace::world}) {
+    for (const NormalEncoding encoding : {NormalEncoding::signedXyz, NormalEncoding::unsignedXyz}) {
+      Frame frame = frameOf({"", glm::perspective(1.0f, 1.0f, 0.1f, 9.0f)}, {64, 64});
+      frame.view = view;
+      frame.normalSpace = space;
+      frame.normalEncoding = encoding;
+      const auto values =
+          evaluateFrame("vec4(viewNormal(ivec2(a.xy)), 0.0)", places, frameParams(frame), &texture);
+      for (std::size_t i = 0; i < kInputs; ++i) {
+        glm::dvec3 expected(texels[i]);
+        if (encoding == NormalEncoding::unsignedXyz) expected = expected * 2.0 - 1.0;
+        if (space == NormalSpace::world) expected = glm::dmat3(view) * expected;
+        ASSERT_LT(glm::distance(glm::dvec3(values[i]), glm::normalize(expected)), 3e-6) << i;
+      }
     }
   }
 }

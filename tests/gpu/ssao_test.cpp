@@ -32,25 +32,72 @@ double meanOf(const Image& image) {
   return sum / static_cast<double>(image.texels.size());
 }
 
+/// World-space normals n * 0.5 + 0.5, seen by a camera that is turned at random.
+NormalStorage unsignedNormals(GLenum format, unsigned seed = 1) {
+  std::mt19937 generator(seed);
+  std::normal_distribution<float> random;
+  const glm::vec3 axis(random(generator), random(generator), random(generator));
+  return {.format = format,
+          .encoding = NormalEncoding::unsignedXyz,
+          .space = NormalSpace::world,
+          .view = glm::translate(glm::rotate(glm::mat4(1.0f), random(generator), glm::normalize(axis)),
+                                 glm::vec3(3.0f, -2.0f, 1.0f))};
+}
+
+/// Where normals are perpendicular to the view the sample pattern's frame turns over: rounding must not
+/// decide.
+RayCaster leaningRoom() {
+  const glm::dmat3 lean(glm::rotate(glm::dmat4(1.0), 0.3, glm::normalize(glm::dvec3(1.0, 1.0, 0.5))));
+  return [lean, scene = room()](glm::dvec3 origin, glm::dvec3 direction) {
+    std::optional<Hit> hit = scene(glm::transpose(lean) * origin, glm::transpose(lean) * direction);
+    if (hit) hit->normal = lean * hit->normal;
+    return hit;
+  };
+}
+
+TEST_F(SsaoTest, EveryStorageOfNormalsShowsTheSamePicture) {
+  const glm::ivec2 size(129, 97);
+  const SsaoSettings settings{.samples = 32};
+  for (const Technique technique : {Technique::full, Technique::multiResolution}) {
+    const SyntheticGBuffer exact(size, perspective(size), leaningRoom());
+    const Image expected = render(exact, settings, technique);
+    for (const auto& [format, limit] :
+         {std::pair(GL_RGBA32F, 1e-4), std::pair(GL_RGB10_A2, 0.003), std::pair(GL_RGBA8, 0.005)}) {
+      for (unsigned seed = 1; seed < 4; ++seed) {
+        const SyntheticGBuffer stored(size, perspective(size), leaningRoom(), {},
+                                      unsignedNormals(static_cast<GLenum>(format), seed));
+        const Image image = render(stored, settings, technique);
+        EXPECT_LT(rootMeanSquare(image.texels, expected.texels), limit) << format << ", seed " << seed;
+      }
+    }
+  }
+}
+
 TEST_F(SsaoTest, PlanesDoNotOccludeThemselves) {
   std::mt19937 generator(1);
   std::uniform_real_distribution<double> random(0.0, 1.0);
   const glm::ivec2 size(129, 97);
   const std::vector<glm::mat4> projections = {perspective(size), perspective(size, 25.0f),
                                               glm::ortho(-4.0f, 4.0f, -3.0f, 3.0f, 0.1f, 100.0f)};
-  for (int i = 0; i < 12; ++i) {
+  // Eight bits turn a normal by 0.0068 at most: at twice the radius that rises by less than the default bias.
+  const std::vector<std::pair<DepthStorage, NormalStorage>> storages = {
+      {{}, {}},
+      {{.format = GL_DEPTH_COMPONENT24}, unsignedNormals(GL_RGB10_A2)},
+      {{.format = GL_DEPTH_COMPONENT24}, unsignedNormals(GL_RGBA8)}};
+  for (int i = 0; i < 36; ++i) {
     const double tilt = glm::radians(i % 3 == 0 ? 89.0 : 85.0 * random(generator));
     const double azimuth = 6.3 * random(generator);
     const glm::dvec3 normal(std::sin(tilt) * std::cos(azimuth), std::sin(tilt) * std::sin(azimuth),
                             std::cos(tilt));
     const double distance = std::exp(4.0 * random(generator) - 0.7);
     const auto& projection = projections.at(static_cast<std::size_t>(i) % projections.size());
-    const SyntheticGBuffer gbuffer(size, projection, plane(normal, -normal.z * distance));
+    const auto& [depths, normals] = storages.at(static_cast<std::size_t>(i) / 12);
+    const SyntheticGBuffer gbuffer(size, projection, plane(normal, -normal.z * distance), depths, normals);
     for (const float radius : {0.1f, 0.5f, 4.0f}) {
       for (const Technique technique : {Technique::full, Technique::multiResolution}) {
         ASSERT_THAT(render(gbuffer, {.radius = radius, .samples = 16}, technique).texels, testing::Each(1.0f))
-            << (technique == Technique::full ? "full" : "mixed") << ", tilt " << glm::degrees(tilt)
-            << ", distance " << distance << ", radius " << radius;
+            << (technique == Technique::full ? "full" : "mixed") << ", case " << i << ", tilt "
+            << glm::degrees(tilt) << ", distance " << distance << ", radius " << radius;
       }
     }
   }

@@ -37,6 +37,30 @@ gl::Texture2D depthTexture(GLenum format, glm::ivec2 size, std::vector<float>& d
           bits == 16 ? static_cast<const void*>(narrow.data()) : static_cast<const void*>(wide.data())};
 }
 
+/// The texels of RGBA8 or RGB10_A2 that are nearest to values of 0..1.
+std::vector<std::uint32_t> packed(const std::vector<glm::vec4>& values, int bits) {
+  const float steps = std::exp2(static_cast<float>(bits)) - 1.0f;
+  std::vector<std::uint32_t> texels;
+  for (const glm::vec4& value : values) {
+    const glm::uvec3 steppedXyz(glm::round(glm::clamp(glm::vec3(value), 0.0f, 1.0f) * steps));
+    texels.push_back(steppedXyz.x | steppedXyz.y << bits | steppedXyz.z << (2 * bits));
+  }
+  return texels;
+}
+
+gl::Texture2D normalTexture(glm::ivec2 size, std::vector<glm::vec4> normals, const NormalStorage& storage) {
+  const glm::mat3 fromView =
+      storage.space == NormalSpace::world ? glm::transpose(glm::mat3(storage.view)) : glm::mat3(1.0f);
+  for (glm::vec4& normal : normals) {
+    const glm::vec3 turned = fromView * glm::vec3(normal);
+    const bool isSigned = storage.encoding == NormalEncoding::signedXyz;
+    normal = glm::vec4(isSigned ? turned : turned * 0.5f + 0.5f, 0.0f);
+  }
+  if (storage.format == GL_RGBA32F) return {GL_RGBA32F, size, "test.normals", 1, normals.data()};
+  return {storage.format, size, "test.normals", 1,
+          packed(normals, storage.format == GL_RGBA8 ? 8 : 10).data()};
+}
+
 /// The ray of a pixel: through the eye for perspective, parallel for orthographic projections.
 std::pair<glm::dvec3, glm::dvec3> rayOf(const glm::dmat4& p, glm::dvec2 ndc) {
   if (p[2][3] != 0.0) {
@@ -49,15 +73,16 @@ std::pair<glm::dvec3, glm::dvec3> rayOf(const glm::dmat4& p, glm::dvec2 ndc) {
 }  // namespace
 
 SyntheticGBuffer::SyntheticGBuffer(glm::ivec2 size, const glm::mat4& projection, const RayCaster& scene,
-                                   const DepthStorage& storage)
+                                   const DepthStorage& storage, const NormalStorage& normals)
     : frame_{.size = size,
+             .view = normals.view,
              .projection = projection,
              .clipDepth = storage.clipDepth,
-             .normalSpace = NormalSpace::view,
-             .normalEncoding = NormalEncoding::signedXyz} {
+             .normalSpace = normals.space,
+             .normalEncoding = normals.encoding} {
   cast(scene, storage);
   depth_ = depthTexture(storage.format, size, depths_);
-  normals_ = gl::Texture2D(GL_RGBA32F, size, "test.normals", 1, normalValues_.data());
+  normals_ = normalTexture(size, normalValues_, normals);
   frame_.depth = depth_.id();
   frame_.normals = normals_.id();
 }

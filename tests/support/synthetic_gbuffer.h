@@ -27,15 +27,24 @@ struct DepthStorage {
   bool reversed = false;  ///< the far plane is at window depth 0
 };
 
-/// Depth and view-space normals (RGBA32F) of a scene that is cast in double precision, and the frame that
-/// hands them to mres. What lies beyond the far plane is background.
+/// How a G-buffer stores normals.
+struct NormalStorage {
+  GLenum format = GL_RGBA32F;  ///< or GL_RGB10_A2, GL_RGBA8, which need NormalEncoding::unsignedXyz
+  NormalEncoding encoding = NormalEncoding::signedXyz;
+  NormalSpace space = NormalSpace::view;
+  glm::mat4 view{1.0f};  ///< Frame::view
+};
+
+/// Depth and normals of a scene that is cast in double precision, and the frame that hands them to mres. What
+/// lies beyond the far plane is background.
 class SyntheticGBuffer {
  public:
   SyntheticGBuffer(glm::ivec2 size, const glm::mat4& projection, const RayCaster& scene,
-                   const DepthStorage& storage = {});
+                   const DepthStorage& storage = {}, const NormalStorage& normals = {});
   [[nodiscard]] const Frame& frame() const { return frame_; }
   /// Window depths as the texture stores them, rows bottom to top.
   [[nodiscard]] const std::vector<float>& depths() const { return depths_; }
+  /// In view space, exact.
   [[nodiscard]] const std::vector<glm::vec4>& normals() const { return normalValues_; }
 
  private:
