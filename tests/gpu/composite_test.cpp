@@ -20,18 +20,6 @@ constexpr const char* kValue =
     "return vec4(0.5 + 0.4 * sin(surface.pixel.x * 0.05 + float(levelStride)) * cos(surface.pixel.y * "
     "0.07));";
 
-/// Bilinear sampling at a place in texels (centres at + 0.5), clamped to the edge.
-double bilinear(const Image& image, glm::dvec2 place) {
-  const glm::dvec2 corner = glm::floor(place - 0.5);
-  const glm::dvec2 weight = place - 0.5 - corner;
-  const auto at = [&](int x, int y) {
-    const glm::ivec2 texel = glm::clamp(glm::ivec2(corner) + glm::ivec2(x, y), glm::ivec2(0), image.size - 1);
-    return static_cast<double>(image.at(texel));
-  };
-  return (at(0, 0) * (1.0 - weight.x) + at(1, 0) * weight.x) * (1.0 - weight.y) +
-         (at(0, 1) * (1.0 - weight.x) + at(1, 1) * weight.x) * weight.y;
-}
-
 glm::ivec2 representative(glm::ivec2 pixel, int level, glm::ivec2 fullSize) {
   return glm::min(pixel * (1 << level) + (1 << level) / 2, fullSize - 1);
 }

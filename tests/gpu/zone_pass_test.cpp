@@ -1,6 +1,8 @@
 // Where levels render: each inside of where the coarser one does.
 #include "mres/mask/zone_pass.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <random>
 
@@ -43,7 +45,29 @@ class ZoneBench {
     levelBlock_.upload(levelParams(level, &coarser, plan_.levels.front().size, 0.0f));
     levelBlock_.bind(kLevelBlock);
     zonePass_.draw(context_, level, {.mask = &masks_.mask(level.index), .refine = refine});
-    return readImage(zonePass_.zone(level.index), 1);
+    const Image zone = readImage(zonePass_.zone(level.index), 1);
+    expectLikeReference(zone, level, coarser, refine);
+    return zone;
+  }
+
+  /// Expects the zone where the mask and the coarser level's say are above zero at a corner of the block.
+  void expectLikeReference(const Image& zone, const PlannedLevel& level, const PlannedLevel& coarser,
+                           const gl::Texture2D* refine) const {
+    const Image mask = readImage(masks_.mask(level.index), 1);
+    const Image say = refine == nullptr ? Image{{1, 1}, 1, {1.0f}} : readImage(*refine, 1);
+    const int stride = 1 << level.index;
+    for (int i = 0; i < zone.size.x * zone.size.y; ++i) {
+      const glm::ivec2 texel(i % zone.size.x, i / zone.size.x);
+      double masked = 0.0;
+      double refined = 0.0;
+      for (int corner = 0; corner < 4; ++corner) {
+        const glm::dvec2 pixel((texel + glm::ivec2(corner % 2, corner / 2)) * ZONE_BLOCK * stride);
+        masked = std::max(masked, bilinear(mask, pixel / (2.0 * stride)));
+        refined = std::max(refined, bilinear(say, pixel / std::exp2(coarser.index)));
+      }
+      ASSERT_EQ(zone.at(texel), masked > 0.0 && refined > 0.0 ? 1.0f : 0.0f)
+          << "level " << level.index << ", texel " << texel.x << ", " << texel.y;
+    }
   }
 
   /// 0 or 1 at random, 0 outside of a zone (where there is one).

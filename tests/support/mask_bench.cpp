@@ -19,6 +19,17 @@ Image readImage(const gl::Texture2D& texture, int channels) {
   return {texture.size(), channels, readPixels(texture.id(), texture.size(), channels)};
 }
 
+double bilinear(const Image& image, glm::dvec2 place) {
+  const glm::dvec2 corner = glm::floor(place - 0.5);
+  const glm::dvec2 weight = place - 0.5 - corner;
+  const auto at = [&](int x, int y) {
+    const glm::ivec2 texel = glm::clamp(glm::ivec2(corner) + glm::ivec2(x, y), glm::ivec2(0), image.size - 1);
+    return static_cast<double>(image.at(texel));
+  };
+  return (at(0, 0) * (1.0 - weight.x) + at(1, 0) * weight.x) * (1.0 - weight.y) +
+         (at(0, 1) * (1.0 - weight.x) + at(1, 1) * weight.x) * weight.y;
+}
+
 MaskBench::MaskBench() : context_(makeContext()), edgePass_(context_.library), maskPass_(context_.library) {}
 
 Image MaskBench::edges(const Frame& frame, const MaskSettings& settings) {

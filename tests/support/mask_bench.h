@@ -14,6 +14,9 @@ namespace mres::test {
 
 Image readImage(const gl::Texture2D& texture, int channels);
 
+/// Bilinear sampling at a place in texels (centres at + 0.5), clamped to the edge.
+double bilinear(const Image& image, glm::dvec2 place);
+
 /// Runs the mask steps of a frame one by one.
 class MaskBench {
  public:
