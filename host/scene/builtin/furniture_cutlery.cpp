@@ -24,7 +24,7 @@ Station between(std::span<const Station> stations, float t) {
   std::vector<TubePoint> shape;
   for (const Station& s : stations) shape.push_back({{s.halfWidth, s.height, s.dish}, s.thickness});
   const TubePoint at = alongCurve(shape, t);
-  const float last = static_cast<float>(stations.size() - 1);
+  const auto last = static_cast<float>(stations.size() - 1);
   const auto i = std::min(static_cast<std::size_t>(t * last), stations.size() - 2);
   const float along = glm::mix(stations[i].along, stations[i + 1].along, t * last - static_cast<float>(i));
   return {along, std::max(at.position.x, 0.0f), at.position.y, at.position.z, std::max(at.radius, 0.0f)};

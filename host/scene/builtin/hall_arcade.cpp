@@ -21,7 +21,7 @@ void addArchivolt(Mesh& mesh, float springing, float facing) {
                                     {0.22f, 0.06f},  {0.13f, 0.05f},  {0.12f, 0.03f},  {0.03f, 0.03f}};
   const std::vector<glm::vec2> plain{{0.03f, -0.03f}, {0.34f, -0.03f}, {0.3f, 0.08f}, {0.03f, 0.035f}};
   const std::vector<glm::vec2>& section = facing > 0.0f ? rich : plain;
-  const glm::vec3 along(0.0f, 0.0f, -facing);
+  const glm::vec3 along(0.0f, 0.0f, facing);  // this way round, a sweep's right is away from the arch
   const std::vector<glm::vec3> path =
       modelling::arcPath({facing * kHalfWall, springing, 0.0f}, -kArchRadius * along,
                          {0.0f, kArchRadius, 0.0f}, 0.0f, glm::pi<float>(), kArchSegments);
