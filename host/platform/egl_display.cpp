@@ -13,8 +13,7 @@ bool clientHas(const char* extension) {
 
 void addSurfaceless(std::vector<Display>& displays) {
   if (!clientHas("EGL_MESA_platform_surfaceless")) return;
-  const EGLDisplay display =
-      eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+  EGLDisplay display = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
   if (display != EGL_NO_DISPLAY) displays.push_back({display, "EGL surfaceless"});
 }
 
@@ -31,7 +30,7 @@ void addDevices(std::vector<Display>& displays) {
   const bool enumerates = clientHas("EGL_EXT_device_enumeration") || clientHas("EGL_EXT_device_base");
   if (!enumerates || !clientHas("EGL_EXT_platform_device")) return;
   for (EGLDeviceEXT device : devices()) {
-    const EGLDisplay display = eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr);
+    EGLDisplay display = eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr);
     if (display != EGL_NO_DISPLAY) displays.push_back({display, "EGL device"});
   }
 }

@@ -67,7 +67,7 @@ glm::mat4 ShadowFit::clipMatrix(glm::vec3 origin) const {
   glm::dmat4 matrix(1.0);
   for (int column = 0; column < 3; ++column) matrix[column] = glm::dvec4(worldToLight[column] * scale, 0.0);
   matrix[3] = glm::dvec4((worldToLight * glm::dvec3(origin) - centre) * scale, 1.0);
-  return glm::mat4(matrix);
+  return {matrix};
 }
 
 std::optional<ShadowFit> fitShadow(const Camera& camera, const CameraView& view, float aspect,
