@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "host/commands/output.h"
+#include "host/files/temporary_file.h"
 
 namespace host {
 namespace fs = std::filesystem;
@@ -44,6 +45,8 @@ class FileActions {
   ~FileActions() { posix_spawn_file_actions_destroy(&actions_); }
   FileActions(const FileActions&) = delete;
   FileActions& operator=(const FileActions&) = delete;
+  FileActions(FileActions&&) = delete;
+  FileActions& operator=(FileActions&&) = delete;
   void open(int descriptor, const char* path, int flags) {
     posix_spawn_file_actions_addopen(&actions_, descriptor, path, flags, 0666);
   }
@@ -86,8 +89,10 @@ bool drawSvg(const fs::path& svg, const std::string& script) {
   if (outcome == Outcome::failed)
     throw std::runtime_error(
         fmt::format("gnuplot could not draw '{}'; run it on that file to see why.", scriptFile.string()));
-  if (outcome == Outcome::done) temporary.commit();
-  return outcome == Outcome::done;
+  if (outcome == Outcome::missing) return false;
+  if (const std::error_code error = temporary.commit())
+    throw std::runtime_error(fmt::format("Cannot write '{}': {}.", svg.string(), error.message()));
+  return true;
 }
 
 }  // namespace host

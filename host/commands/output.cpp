@@ -6,8 +6,9 @@
 #include <fstream>
 #include <stdexcept>
 #include <system_error>
-#include <unistd.h>
 #include <utility>
+
+#include "host/files/temporary_file.h"
 
 namespace host {
 namespace fs = std::filesystem;
@@ -16,10 +17,6 @@ namespace {
 [[noreturn]] void failToWrite(const fs::path& path, const std::string& reason) {
   throw std::runtime_error(
       fmt::format("Cannot write '{}': {}; choose another place with -o.", path.string(), reason));
-}
-
-fs::path temporaryBeside(const fs::path& path) {
-  return path.parent_path() / fmt::format(".{}.{}.partial", path.filename().string(), getpid());
 }
 
 void writeAll(const fs::path& file, const fs::path& destination, const std::string& text) {
@@ -32,22 +29,9 @@ void writeAll(const fs::path& file, const fs::path& destination, const std::stri
 
 }  // namespace
 
-TemporaryFile::TemporaryFile(fs::path destination)
-    : destination_(std::move(destination)), path_(temporaryBeside(destination_)) {}
-
-TemporaryFile::~TemporaryFile() {
-  std::error_code ignored;
-  fs::remove(path_, ignored);
-}
-
-void TemporaryFile::commit() const {
-  std::error_code error;
-  fs::rename(path_, destination_, error);
-  if (error) failToWrite(destination_, error.message());
-}
-
 void requireWritableFile(const fs::path& path) {
-  if (path.filename().empty() || fs::is_directory(path))
+  std::error_code ignored;  // whatever it is, writing fails as well
+  if (path.filename().empty() || fs::is_directory(path, ignored))
     failToWrite(path, "it is a folder, a file is wanted");
   const TemporaryFile probe(path);
   writeAll(probe.path(), path, "");
@@ -56,26 +40,30 @@ void requireWritableFile(const fs::path& path) {
 void writeTextFile(const fs::path& path, const std::string& text) {
   const TemporaryFile temporary(path);
   writeAll(temporary.path(), path, text);
-  temporary.commit();
+  if (const std::error_code error = temporary.commit()) failToWrite(path, error.message());
+}
+
+MadeFolders::~MadeFolders() {
+  std::error_code ignored;
+  for (; !made_.empty(); made_.pop_back())
+    fs::remove(made_.back(), ignored);  // refuses folders with files in them
+}
+
+std::error_code MadeFolders::make(const fs::path& folder) {
+  std::error_code error;
+  fs::path place;
+  for (const fs::path& part : fs::absolute(folder, error).lexically_normal()) {
+    if (error) break;
+    place /= part;
+    if (fs::create_directory(place, error)) made_.push_back(place);
+  }
+  return error;
 }
 
 OutputDirectory::OutputDirectory(fs::path path) : path_(std::move(path)) {
   if (path_.empty()) failToWrite(path_, "its name is empty");
-  std::vector<fs::path> missing;
-  for (fs::path folder = fs::absolute(path_).lexically_normal(); !fs::exists(folder);
-       folder = folder.parent_path())
-    missing.push_back(folder);
-  std::error_code error;
-  for (; !missing.empty() && !error; missing.pop_back())
-    if (fs::create_directory(missing.back(), error)) made_.push_back(missing.back());
-  if (error) failToWrite(path_, error.message());
+  if (const std::error_code error = made_.make(path_)) failToWrite(path_, error.message());
   requireWritableFile(path_ / "report.json");
-}
-
-OutputDirectory::~OutputDirectory() {
-  std::error_code ignored;
-  for (; !made_.empty(); made_.pop_back())
-    fs::remove(made_.back(), ignored);  // refuses folders with files in them
 }
 
 }  // namespace host

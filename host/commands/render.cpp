@@ -30,12 +30,8 @@ Examples:
 
 .png pictures are tone mapped, .exr pictures hold linear radiance.)";
 
-bool isExr(const std::filesystem::path& path) {
-  return path.extension() == ".exr";
-}
-
 void requireRenderable(const RenderOptions& options) {
-  if (!isExr(options.output) && options.output.extension() != ".png")
+  if (!imageFormatOf(options.output))
     throw UsageError(fmt::format("'{}' is no picture that mres can write; end its name with .png or .exr.",
                                  options.output.string()));
   if (!options.view.camera)
@@ -71,7 +67,8 @@ class PictureMaker {
 
   FloatImage picture() {
     const GLuint radiance = renderer_.drawLighting(effect_ ? effect_->render(frame_) : 0);
-    return readTexture(isExr(options_.output) ? radiance : renderer_.drawToneMap(), frame_.size, 3);
+    const bool isLinear = imageFormatOf(options_.output) == ImageFormat::exr;
+    return readTexture(isLinear ? radiance : renderer_.drawToneMap(), frame_.size, 3);
   }
 
  private:

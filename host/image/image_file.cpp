@@ -10,51 +10,28 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <unistd.h>
+
+#include "host/files/temporary_file.h"
 
 namespace host {
 namespace {
 
-struct Format {
+struct Writer {
   const char* name;  ///< OpenImageIO's
   OIIO::TypeDesc pixelType;
   const char* colorSpace;
 };
 
-Format formatFor(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
-  if (extension == ".png") return {"png", OIIO::TypeDesc::UINT8, "sRGB"};
-  if (extension == ".exr") return {"openexr", OIIO::TypeDesc::HALF, "Linear"};
-  throw std::runtime_error(fmt::format("can't write '{}': its name must end in .png or .exr", path.string()));
+Writer writerOf(ImageFormat format) {
+  return format == ImageFormat::png ? Writer{"png", OIIO::TypeDesc::UINT8, "sRGB"}
+                                    : Writer{"openexr", OIIO::TypeDesc::HALF, "Linear"};
 }
 
-/// A file that is removed unless it is renamed to its final place.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(std::filesystem::path place) : place_(std::move(place)) {
-    path_ = place_;
-    path_ += fmt::format(".{}.tmp", ::getpid());
-  }
-  ~TemporaryFile() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-
-  [[nodiscard]] std::string path() const { return path_.string(); }
-  void moveIntoPlace() const { std::filesystem::rename(path_, place_); }
-
- private:
-  std::filesystem::path place_;
-  std::filesystem::path path_;
-};
-
-OIIO::ImageSpec specFor(const FloatImage& image, const Format& format) {
-  OIIO::ImageSpec spec(image.size.x, image.size.y, image.channels, format.pixelType);
-  spec.attribute("oiio:ColorSpace", format.colorSpace);
+OIIO::ImageSpec specFor(const FloatImage& image, const Writer& writer) {
+  OIIO::ImageSpec spec(image.size.x, image.size.y, image.channels, writer.pixelType);
+  spec.attribute("oiio:ColorSpace", writer.colorSpace);
   spec.attribute("oiio:UnassociatedAlpha", 1);  // the values are stored as they are
   return spec;
 }
@@ -67,21 +44,21 @@ std::vector<float> withoutNan(std::vector<float> pixels) {
 }
 
 /// In memory: OpenImageIO's PNG writer does not notice a full disk.
-std::vector<unsigned char> encode(const FloatImage& image, const Format& format) {
-  const auto output = OIIO::ImageOutput::create(format.name);
-  if (!output) throw std::runtime_error(OIIO::geterror());
+std::vector<unsigned char> encode(const FloatImage& image, const Writer& writer) {
   std::vector<unsigned char> bytes;
-  OIIO::Filesystem::IOVecOutput proxy(bytes);
-  const bool isInteger = format.pixelType == OIIO::TypeDesc::UINT8;
+  OIIO::Filesystem::IOVecOutput proxy(bytes);  // outlives the output, which may still write when it is closed
+  const auto output = OIIO::ImageOutput::create(writer.name);
+  if (!output) throw std::runtime_error(OIIO::geterror());
+  const bool isInteger = writer.pixelType == OIIO::TypeDesc::UINT8;
   const std::vector<float> sanitized = isInteger ? withoutNan(image.pixels) : std::vector<float>();
   const std::vector<float>& pixels = isInteger ? sanitized : image.pixels;
-  const bool encoded = output->set_ioproxy(&proxy) && output->open(format.name, specFor(image, format)) &&
+  const bool encoded = output->set_ioproxy(&proxy) && output->open(writer.name, specFor(image, writer)) &&
                        output->write_image(OIIO::TypeDesc::FLOAT, pixels.data()) && output->close();
   if (!encoded) throw std::runtime_error(output->geterror());
   return bytes;
 }
 
-void writeBytes(const std::string& path, const std::vector<unsigned char>& bytes) {
+void writeBytes(const std::filesystem::path& path, const std::vector<unsigned char>& bytes) {
   std::ofstream stream(path, std::ios::binary);
   stream.write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
   stream.close();
@@ -147,14 +124,24 @@ float srgbFromLinear(float linear) {
 
 }  // namespace
 
+std::optional<ImageFormat> imageFormatOf(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  if (extension == ".png") return ImageFormat::png;
+  if (extension == ".exr") return ImageFormat::exr;
+  return std::nullopt;
+}
+
 void writeImage(const std::filesystem::path& path, const FloatImage& image) {
-  const Format format = formatFor(path);
   try {
+    const std::optional<ImageFormat> format = imageFormatOf(path);
+    if (!format) throw std::runtime_error("its name must end in .png or .exr");
     checkImage(image);
     checkFolder(path);
     const TemporaryFile file(path);
-    writeBytes(file.path(), encode(image, format));
-    file.moveIntoPlace();
+    writeBytes(file.path(), encode(image, writerOf(*format)));
+    if (const std::error_code error = file.commit()) throw std::runtime_error(error.message());
   } catch (const std::exception& error) {
     throw std::runtime_error(fmt::format("can't write '{}': {}", path.string(), error.what()));
   }

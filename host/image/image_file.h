@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <glm/glm.hpp>
+#include <optional>
 #include <vector>
 
 namespace host {
@@ -12,6 +13,11 @@ struct FloatImage {
   int channels = 0;           ///< 1, 3 or 4
   std::vector<float> pixels;  ///< size.x * size.y * channels
 };
+
+enum class ImageFormat { png, exr };
+
+/// By the end of its name, in any case; nothing for what writeImage() cannot write.
+std::optional<ImageFormat> imageFormatOf(const std::filesystem::path& path);
 
 /// Writes .png (8 bits; the values, clamped to 0..1, are stored as they are: encode before) or .exr (half
 /// float). The file appears whole or not at all: it is written beside its place and renamed. Throws

@@ -73,6 +73,11 @@ TEST_F(Command, RenderWritesLinearRadianceAsExr) {
   EXPECT_EQ(readImage(folder_ / "a.exr").size, glm::ivec2(97, 41));
 }
 
+TEST_F(Command, RenderTakesEndingsInCapitals) {
+  succeed({"render", scene_, "--size", "8x8", "-o", folder_ / "a.PNG"});
+  EXPECT_EQ(readImage(folder_ / "a.PNG").size, glm::ivec2(8, 8));
+}
+
 TEST_F(Command, RenderOfOnePixel) {
   for (const char* technique : {"full", "mres"})
     succeed({"render", scene_, "--size", "1x1", "--technique", technique, "-o", folder_ / "a.png"});
