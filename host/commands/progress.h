@@ -8,13 +8,13 @@
 namespace host {
 
 /// One line that shows how far long work is. Silent for the first second, and for ever where `out` is no
-/// terminal.
+/// terminal: where it has no columns.
 class ProgressBar {
  public:
   using Clock = std::chrono::steady_clock;
   using Now = std::function<Clock::time_point()>;
 
-  ProgressBar(std::ostream& out, bool isTerminal, Now now = Clock::now);
+  ProgressBar(std::ostream& out, int columns, Now now = Clock::now);
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
@@ -27,7 +27,7 @@ class ProgressBar {
 
  private:
   std::ostream& out_;
-  bool isTerminal_;
+  std::size_t columns_;
   Now now_;
   Clock::time_point start_;
   bool drawn_ = false;

@@ -13,8 +13,8 @@ using testing::HasSubstr;
 
 class Progress : public testing::Test {
  protected:
-  ProgressBar bar(bool isTerminal) {
-    return {out_, isTerminal, [this] { return now_; }};
+  ProgressBar bar(int columns) {
+    return {out_, columns, [this] { return now_; }};
   }
 
   std::ostringstream out_;
@@ -22,21 +22,21 @@ class Progress : public testing::Test {
 };
 
 TEST_F(Progress, IsSilentForTheFirstSecond) {
-  ProgressBar progress = bar(true);
+  ProgressBar progress = bar(80);
   now_ += milliseconds(999);
   progress.update(0.5, "timing");
   EXPECT_EQ(out_.str(), "");
 }
 
 TEST_F(Progress, ShowsShareAndWork) {
-  ProgressBar progress = bar(true);
+  ProgressBar progress = bar(80);
   now_ += milliseconds(1000);
   progress.update(0.5, "timing pair 3 of 31");
   EXPECT_THAT(out_.str(), HasSubstr("[############............]  50 % timing pair 3 of 31"));
 }
 
 TEST_F(Progress, StaysWithinItsEnds) {
-  ProgressBar progress = bar(true);
+  ProgressBar progress = bar(80);
   now_ += milliseconds(2000);
   progress.update(1.7, "");
   EXPECT_THAT(out_.str(), HasSubstr("[########################] 100 %"));
@@ -46,16 +46,23 @@ TEST_F(Progress, StaysWithinItsEnds) {
 
 TEST_F(Progress, WritesNothingWhereThereIsNoTerminal) {
   {
-    ProgressBar progress = bar(false);
+    ProgressBar progress = bar(0);
     now_ += milliseconds(5000);
     progress.update(0.5, "timing");
   }
   EXPECT_EQ(out_.str(), "");
 }
 
+TEST_F(Progress, NeverWraps) {
+  ProgressBar progress = bar(40);
+  now_ += milliseconds(2000);
+  progress.update(0.5, "hall 0 1920x1080 64 samples: timed pair 3 of at most 31");
+  EXPECT_THAT(out_.str(), EndsWith("\033[K[############............]  50 % hall 0"));
+}
+
 TEST_F(Progress, TakesItsLineAwayAtTheEnd) {
   {
-    ProgressBar progress = bar(true);
+    ProgressBar progress = bar(80);
     now_ += milliseconds(1500);
     progress.update(0.5, "timing");
     out_.str("");
@@ -64,7 +71,7 @@ TEST_F(Progress, TakesItsLineAwayAtTheEnd) {
 }
 
 TEST_F(Progress, AnUndrawnLineNeedsNoClearing) {
-  { const ProgressBar progress = bar(true); }
+  { const ProgressBar progress = bar(80); }
   EXPECT_EQ(out_.str(), "");
 }
 
