@@ -9,6 +9,7 @@
 #include "host/commands/bench_suite.h"
 #include "host/commands/commands.h"
 #include "host/commands/interruption.h"
+#include "host/commands/memory_need.h"
 #include "host/commands/options.h"
 #include "host/commands/output.h"
 #include "host/commands/progress.h"
@@ -23,7 +24,7 @@ namespace {
 struct BenchOptions {
   std::string suite = suiteNames().front();
   TimingOptions timing;
-  fs::path output;
+  std::optional<fs::path> output;
   bool resume = false;
   bool json = false;
 };
@@ -39,14 +40,6 @@ report.html, which shows them all.)";
 // A campaign is many cases: each gets less time than a comparison of its own.
 constexpr int kMinPairs = 3;
 constexpr double kMaxSecondsPerCase = 6.0;
-
-std::optional<RepeatPlan> benchPlan(const TimingOptions& timing) {
-  std::optional<RepeatPlan> plan = timing.plan();
-  if (!plan) return plan;
-  plan->minPairs = kMinPairs;
-  plan->maxSeconds = kMaxSecondsPerCase;
-  return plan;
-}
 
 PictureSettings settingsOf(const BenchCase& benchCase) {
   PictureSettings settings;
@@ -72,11 +65,12 @@ class SceneCache {
 
 class Campaign {
  public:
-  Campaign(const BenchOptions& options, const GlContext::Info& gl)
+  Campaign(const BenchOptions& options, const fs::path& output, const GlContext::Info& gl)
       : options_(options),
+        output_(output),
         gl_(gl),
         cases_(suiteCases(options.suite)),
-        results_(options.output / "results.json", machineOf(gl.renderer, gl.version), options.resume) {}
+        results_(output / "results.json", machineOf(gl.renderer, gl.version), options.resume) {}
 
   const Json& run() {
     for (done_ = 0; done_ < cases_.size(); ++done_) measureOnce(cases_[done_]);
@@ -91,13 +85,13 @@ class Campaign {
     PictureSettings settings = settingsOf(benchCase);
     Measurement wanted = describePicture(scene, settings, benchCase.camera, benchCase.size);
     wanted.settings = settingsTable(settings).values();
-    if (results_.contains(wanted)) return;
+    if (results_.contains(wanted, options_.timing.timing)) return;
 
+    requireMemory(bytesOfComparison(benchCase.size), physicalMemory());
     Comparison comparison(scene, settings, gl_.software);
     Measurement measurement = comparison.measure(
-        {benchCase.camera, benchCase.size, benchPlan(options_.timing)}, [&](int pair, int most) {
-          show(0.9 * pair / most, benchCase, fmt::format("pair {} of at most {}", pair, most));
-        });
+        {benchCase.camera, benchCase.size, options_.timing.plan()},
+        [&](double share, const std::string& what) { show(0.95 * share, benchCase, what); });
     measurement.settings = wanted.settings;
     if (benchCase.pictures) measurement.pictures = writeCasePictures(benchCase, comparison);
     results_.add(measurement);
@@ -106,7 +100,7 @@ class Campaign {
   Json writeCasePictures(const BenchCase& benchCase, Comparison& comparison) {
     show(0.95, benchCase, "writing pictures");
     const fs::path folder = fs::path("pictures") / fmt::format("{}-{}", benchCase.scene, benchCase.camera);
-    const OutputDirectory directory(options_.output / folder);
+    const OutputDirectory directory(output_ / folder);
     return picturesBelow(folder, writePictures(comparison.pictures(), directory.path()));
   }
 
@@ -117,6 +111,7 @@ class Campaign {
   }
 
   const BenchOptions& options_;
+  fs::path output_;
   const GlContext::Info& gl_;
   std::vector<BenchCase> cases_;
   BenchResults results_;
@@ -127,9 +122,9 @@ class Campaign {
 
 void runBench(const BenchOptions& options) {
   suiteCases(options.suite);  // an unknown name is found before a folder is made
-  const OutputDirectory output(options.output);
+  const OutputDirectory output(options.output.value_or("bench-" + options.suite));
   const GlContext context;
-  Campaign campaign(options, context.info());
+  Campaign campaign(options, output.path(), context.info());
   const Json& report = campaign.run();
 
   const auto plots = drawPlots(report, output.path());
@@ -149,14 +144,18 @@ void addBenchCommand(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("bench", "Measure a whole suite of pictures, with plots and a report");
   const auto options = std::make_shared<BenchOptions>();
+  options->timing.repeat.minPairs = kMinPairs;
+  options->timing.repeat.maxSeconds = kMaxSecondsPerCase;
   command->add_option("--suite", options->suite, fmt::format("{} (the default)", suiteNames().front()))
       ->type_name("NAME");
-  options->output = "bench-" + options->suite;
-  command->add_option("-o,--output", options->output, "where everything goes (default bench-quick)")
+  command
+      ->add_option_function<std::string>(
+          "-o,--output", [options](const std::string& folder) { options->output = folder; },
+          "where everything goes (default bench-NAME)")
       ->type_name("DIR");
   command->add_flag("--resume", options->resume, "keep what results.json in that folder already holds");
   command->add_flag("--json", options->json, "print the report as JSON on the standard output");
-  addTimingOptions(*command, options->timing);
+  addTimingOptions(*command, options->timing, "the speedup");
   command->footer(kExamples);
   command->callback([&action, options] { action = [options] { runBench(*options); }; });
 }

@@ -5,9 +5,11 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "host/commands/output.h"
+#include "host/measure/report_check.h"
 
 namespace host {
 namespace {
@@ -15,44 +17,47 @@ namespace {
 /// The fields that tell one picture from another.
 constexpr std::array kIdentity{"scene", "camera", "width", "height", "effect", "technique", "settings"};
 
-bool isReport(const Json& report, const Json& empty) {
-  if (!report.is_object() || report.value("schema", 0) != empty["schema"].get<int>()) return false;
-  const Json results = report.value("results", Json());
-  return results.is_array() &&
-         std::ranges::all_of(results, [](const Json& result) { return result.is_object(); });
+[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& reason) {
+  throw std::runtime_error(
+      fmt::format("Cannot resume from '{}': {}; leave out --resume to begin anew.", file.string(), reason));
 }
 
 Json readReport(const std::filesystem::path& file, const Json& empty) {
   std::ifstream stream(file);
   Json report = Json::parse(stream, nullptr, false);
-  if (!isReport(report, empty))
-    throw std::runtime_error(
-        fmt::format("'{}' is no report to resume from; leave out --resume to begin anew.", file.string()));
-  if (report.value("machine", Json()) != empty["machine"])
-    throw std::runtime_error(
-        fmt::format("'{}' was measured on another machine; resume there, or leave out --resume "
-                    "to begin anew.",
-                    file.string()));
+  if (const std::string fault = faultOf(report); !fault.empty()) refuse(file, fault);
+  if (report.at("machine") != empty.at("machine")) refuse(file, "it was measured on another machine");
+  if (report.at("version") != empty.at("version"))
+    refuse(file,
+           fmt::format("it was measured by mres {}, and this is {}", report.at("version").get<std::string>(),
+                       empty.at("version").get<std::string>()));
   return report;
+}
+
+bool isSamePicture(const Json& a, const Json& b) {
+  return std::ranges::all_of(kIdentity, [&](const char* field) { return a.at(field) == b.at(field); });
 }
 
 }  // namespace
 
 BenchResults::BenchResults(std::filesystem::path file, const Machine& machine, bool resume)
     : file_(std::move(file)), report_(makeReport(machine)) {
-  if (resume && std::filesystem::exists(file_)) report_ = readReport(file_, report_);
+  std::error_code ignored;  // a file that cannot be looked at cannot be replaced either, which is told then
+  if (resume && std::filesystem::exists(file_, ignored)) report_ = readReport(file_, report_);
 }
 
-bool BenchResults::contains(const Measurement& wanted) const {
+bool BenchResults::contains(const Measurement& wanted, bool timed) const {
   const Json description = toJson(wanted);
-  return std::ranges::any_of(report_["results"], [&](const Json& result) {
-    return std::ranges::all_of(
-        kIdentity, [&](const char* field) { return result.value(field, Json()) == description[field]; });
+  return std::ranges::any_of(report_.at("results"), [&](const Json& result) {
+    return isSamePicture(result, description) && !(timed && result.at("speedup").is_null());
   });
 }
 
 void BenchResults::add(const Measurement& measurement) {
-  report_["results"].push_back(toJson(measurement));
+  auto& results = report_.at("results").get_ref<Json::array_t&>();
+  Json result = toJson(measurement);
+  std::erase_if(results, [&](const Json& old) { return isSamePicture(old, result); });
+  results.push_back(std::move(result));
   writeTextFile(file_, toText(report_));
 }
 

@@ -12,13 +12,13 @@ namespace host {
 class BenchResults {
  public:
   /// With `resume`, starts from what `file` holds. Throws std::runtime_error with a sentence if that is no
-  /// report, or one of another machine.
+  /// sound report, or one of another machine or version of mres.
   BenchResults(std::filesystem::path file, const Machine& machine, bool resume);
 
-  /// Whether the picture that `wanted` describes was measured with these settings.
-  [[nodiscard]] bool contains(const Measurement& wanted) const;
+  /// Whether the picture that `wanted` describes was measured with these settings, and timed if it has to be.
+  [[nodiscard]] bool contains(const Measurement& wanted, bool timed) const;
 
-  /// Adds a result and writes the file.
+  /// Adds a result, in place of an older one of the same picture, and writes the file.
   void add(const Measurement& measurement);
 
   [[nodiscard]] const Json& report() const { return report_; }

@@ -32,6 +32,14 @@ std::vector<BenchCase> quickSuite() {
   };
 }
 
+/// What the tests run: a campaign of seconds that has a plot and a picture. Its numbers mean nothing, so
+/// users are not offered it.
+constexpr const char* kSmokeSuite = "smoke";
+
+std::vector<BenchCase> smokeSuite() {
+  return {{"office", 0, {64, 36}, 4, true}, {"office", 0, {32, 18}, 4}};
+}
+
 }  // namespace
 
 const std::vector<std::string>& suiteNames() {
@@ -41,6 +49,7 @@ const std::vector<std::string>& suiteNames() {
 
 std::vector<BenchCase> suiteCases(const std::string& suite) {
   if (suite == suiteNames().front()) return quickSuite();
+  if (suite == kSmokeSuite) return smokeSuite();
   throw UsageError(fmt::format("There is no suite '{}'{}", suite, suggestion(suite, suiteNames())));
 }
 

@@ -17,6 +17,7 @@ struct BenchCase {
   bool pictures = false;  ///< whether the report shows it
 };
 
+/// The suites that users choose from.
 const std::vector<std::string>& suiteNames();
 
 /// The cases of a suite, those of a scene one after the other. Throws UsageError for an unknown name.

@@ -32,8 +32,10 @@ Examples:
 SCENE is a built-in name (mres info lists them) or a .gltf or .glb file.
 Exit codes: 0 done, 1 failed, 2 wrong usage. `mres COMMAND --help` tells more.)";
 
-/// Messages of libraries included, an error reads as a sentence.
+/// Messages of libraries included, an error reads as a sentence. Of a shader compiler's log, the first line
+/// says what is wrong.
 std::string asSentence(std::string text) {
+  text = text.substr(0, text.find('\n'));
   if (text.empty()) return text;
   text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
   if (std::string_view(".!?").find(text.back()) == std::string_view::npos) text += '.';
@@ -64,6 +66,8 @@ int runCommandLine(int argc, const char* const* argv) {
   app.footer(kFooter);
   app.set_version_flag("--version", "mres " MRES_VERSION);
   app.require_subcommand(0, 1);
+  // Scripts add options to those of another: the last one counts, as in most programs.
+  app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   Action action = [&app] { fmt::print("{}", app.help()); };
   addInfoCommand(app, action);
   addRenderCommand(app, action);

@@ -1,9 +1,12 @@
 #include <filesystem>
 #include <fmt/format.h>
+#include <iostream>
 #include <memory>
 
 #include "host/commands/commands.h"
 #include "host/commands/interruption.h"
+#include "host/commands/memory_need.h"
+#include "host/commands/notes.h"
 #include "host/commands/options.h"
 #include "host/commands/output.h"
 #include "host/commands/progress.h"
@@ -41,33 +44,39 @@ fs::path pictureFolder(std::size_t cameras, int camera) {
 
 class CompareRun {
  public:
-  CompareRun(const CompareOptions& options, const Scene& scene, const GlContext::Info& gl)
+  CompareRun(const CompareOptions& options, const Scene& scene, const GlContext::Info& gl,
+             ProgressBar& progress)
       : options_(options),
+        progress_(progress),
         cameras_(camerasOf(scene, options.view.camera)),
         settings_(options.picture.settings),
         comparison_(scene, settings_, gl.software),
         report_(makeReport(machineOf(gl.renderer, gl.version))) {}
 
   const Json& run() {
-    for (done_ = 0; done_ < cameras_.size(); ++done_) compareCamera(cameras_[done_]);
+    progress_.clear();
+    writeNotes(std::cerr, comparison_.warnings());
+    for (done_ = 0; done_ < cameras_.size(); ++done_) {
+      compareCamera(cameras_[done_]);
+      // After each, so that what an interruption leaves is described.
+      writeTextFile(options_.output / "report.json", toText(report_));
+    }
     progress_.clear();
     return report_;
   }
 
  private:
   void compareCamera(int camera) {
-    show(0.0, fmt::format("camera {}: warming up", camera));
     Measurement measurement = comparison_.measure(
-        {camera, options_.view.size, options_.timing.plan()}, [&](int pair, int expected) {
-          show(0.8 * pair / expected,
-               fmt::format("camera {}: timed pair {} of at most {}", camera, pair, expected));
+        {camera, options_.view.size, options_.timing.plan()}, [&](double share, const std::string& what) {
+          show(0.9 * share, fmt::format("camera {}: {}", camera, what));
         });
     measurement.settings = settingsTable(settings_).values();
     const fs::path folder = pictureFolder(cameras_.size(), camera);
     const OutputDirectory directory(options_.output / folder);
     measurement.pictures = picturesBelow(
         folder, writePictures(comparison_.pictures(), directory.path(), [&](const std::string& name) {
-          show(0.9, fmt::format("camera {}: writing {}", camera, name));
+          show(0.95, fmt::format("camera {}: writing {}", camera, name));
         }));
     report_["results"].push_back(toJson(measurement));
   }
@@ -79,23 +88,27 @@ class CompareRun {
   }
 
   const CompareOptions& options_;
+  ProgressBar& progress_;
   std::vector<int> cameras_;
   PictureSettings settings_;
   Comparison comparison_;
   Json report_;
-  StderrProgressBar progress_;
   std::size_t done_ = 0;
 };
 
 void runCompare(const CompareOptions& options) {
   if (options.picture.settings.effect == kNoEffect)
     throw UsageError("Without an effect there is nothing to compare; give --effect ssao.");
+  requireMemory(bytesOfComparison(options.view.size), physicalMemory());
   const OutputDirectory output(options.output);
+  StderrProgressBar progress;
   const GlContext context;
+  progress.update(0.0, "loading " + options.view.scene);
   const Scene scene = loadScene(options.view.scene);
-  CompareRun run(options, scene, context.info());
+  throwIfInterrupted();
+  progress.update(0.0, "preparing " + scene.name);
+  CompareRun run(options, scene, context.info(), progress);
   const Json& report = run.run();
-  writeTextFile(output.path() / "report.json", toText(report));
   if (options.picture.json)
     fmt::print("{}", toText(report));
   else
@@ -111,7 +124,7 @@ void addCompareCommand(CLI::App& app, Action& action) {
   const auto options = std::make_shared<CompareOptions>();
   addViewOptions(*command, options->view);
   addPictureOptions(*command, options->picture);
-  addTimingOptions(*command, options->timing);
+  addTimingOptions(*command, options->timing, "the speedup");
   command->add_option("-o,--output", options->output, "where pictures and report.json go")
       ->required()
       ->type_name("DIR");

@@ -25,7 +25,6 @@ std::string shadingLanguage() {
 Json describeSystem(const GlContext::Info& gl) {
   Json info = makeReport(machineOf(gl.renderer, gl.version));
   info.erase("results");
-  info["version"] = MRES_VERSION;
   info["gl"] = {{"vendor", gl.vendor},       {"renderer", gl.renderer}, {"version", gl.version},
                 {"glsl", shadingLanguage()}, {"platform", gl.platform}, {"software", gl.software}};
   info["limits"] = {{"texture_size", limit(GL_MAX_TEXTURE_SIZE)},

@@ -3,9 +3,11 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <fmt/format.h>
 #include <numeric>
 #include <stdexcept>
+#include <system_error>
 #include <vector>
 
 #include "host/commands/parse.h"
@@ -50,6 +52,13 @@ int parseRepeat(const std::string& text) {
     throw UsageError(fmt::format("'{}' is no number of repetitions; give a whole number from 1 to {}.", text,
                                  kMostRepetitions));
   return static_cast<int>(*number);
+}
+
+std::string parseShaderFolder(const std::string& folder) {
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(folder, ignored))
+    throw UsageError(fmt::format("'{}' is no folder of shaders; give one that exists.", folder));
+  return folder;
 }
 
 template <class Apply>
@@ -107,6 +116,12 @@ void addPictureOptions(CLI::App& command, PictureOptions& options) {
           "any setting, as often as needed; they are listed below")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  addText(
+      command, "--shaders", "DIR",
+      [&settings](const std::string& folder) {
+        settings.renderer.shaderDirectory = parseShaderFolder(folder);
+      },
+      "folder whose shaders win over the built-in ones of the same name, such as a copy of shaders/");
   command.add_flag("--json", options.json, "print the report as JSON on the standard output");
 }
 
@@ -124,23 +139,16 @@ void addViewOptions(CLI::App& command, ViewOptions& options) {
                   options.size.x, options.size.y));
 }
 
-void addTimingOptions(CLI::App& command, TimingOptions& options) {
-  const RepeatPlan plan;
+void addTimingOptions(CLI::App& command, TimingOptions& options, const std::string& figure) {
+  RepeatPlan& plan = options.repeat;
   CLI::Option* repeat = addText(
-      command, "--repeat", "N", [&](const std::string& text) { options.repeat = parseRepeat(text); },
-      fmt::format("timed repetitions (default: {} to {}, until the speedup is known within {:.0f} %)",
-                  plan.minPairs, plan.maxPairs, plan.precision * 100.0));
+      command, "--repeat", "N", [&plan](const std::string& text) { plan.pairs = parseRepeat(text); },
+      fmt::format("timed repetitions (default: {} to {}, until {} is known within {:.0f} %, or for {:.0f} s)",
+                  plan.minPairs, plan.maxPairs, figure, plan.precision * 100.0, plan.maxSeconds));
   command
       .add_flag_callback(
-          "--no-timing", [&] { options.timing = false; }, "pictures and errors only")
+          "--no-timing", [&options] { options.timing = false; }, "take no times")
       ->excludes(repeat);
-}
-
-std::optional<RepeatPlan> TimingOptions::plan() const {
-  if (!timing) return std::nullopt;
-  RepeatPlan plan;
-  plan.pairs = repeat;
-  return plan;
 }
 
 void requireCamera(const Scene& scene, int camera) {

@@ -4,6 +4,7 @@
 #include <CLI/App.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "host/commands/settings_table.h"
 #include "host/measure/interleaved.h"
@@ -15,7 +16,7 @@ struct PictureOptions {
   PictureSettings settings;
   bool json = false;
 };
-/// --effect, --technique, --samples, --seed, --set and --json. `options` must outlive the command.
+/// --effect, --technique, --samples, --seed, --set, --shaders and --json. `options` must outlive the command.
 void addPictureOptions(CLI::App& command, PictureOptions& options);
 
 struct ViewOptions {
@@ -28,13 +29,15 @@ void addViewOptions(CLI::App& command, ViewOptions& options);
 
 struct TimingOptions {
   bool timing = true;
-  std::optional<int> repeat;
+  RepeatPlan repeat;
 
   /// Nothing where no timing is wanted.
-  [[nodiscard]] std::optional<RepeatPlan> plan() const;
+  [[nodiscard]] std::optional<RepeatPlan> plan() const {
+    return timing ? std::optional(repeat) : std::nullopt;
+  }
 };
-/// --repeat and --no-timing.
-void addTimingOptions(CLI::App& command, TimingOptions& options);
+/// --repeat and --no-timing. `figure`, such as "the speedup", is what gets known better with each repetition.
+void addTimingOptions(CLI::App& command, TimingOptions& options, const std::string& figure);
 
 /// The settings that --set knows.
 SettingsTable settingsTable(PictureSettings& settings);

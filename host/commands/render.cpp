@@ -1,11 +1,15 @@
 #include <filesystem>
 #include <fmt/format.h>
+#include <iostream>
 #include <memory>
 
 #include "host/commands/commands.h"
 #include "host/commands/interruption.h"
+#include "host/commands/memory_need.h"
+#include "host/commands/notes.h"
 #include "host/commands/options.h"
 #include "host/commands/output.h"
+#include "host/commands/progress.h"
 #include "host/commands/usage_error.h"
 #include "host/measure/effect_instance.h"
 #include "host/measure/gl_timer.h"
@@ -20,15 +24,22 @@ struct RenderOptions {
   PictureOptions picture;
   TimingOptions timing;
   std::filesystem::path output;
+
+  [[nodiscard]] bool hasEffect() const { return picture.settings.effect != kNoEffect; }
+  [[nodiscard]] bool isTimed() const {
+    return hasEffect() && timing.timing && (picture.json || timing.repeat.pairs.has_value());
+  }
 };
 
 constexpr const char* kExamples = R"(
 Examples:
   mres render office --camera 3 --size 1080p -o office.png
   mres render model.glb --technique full --samples 128 -o model.exr
-  mres render hall --repeat 9 --json -o hall.png       the effect timed alone, nine times
+  mres render hall --repeat 9 -o hall.png              the effect timed alone, nine times
+  mres render hall --json --no-timing -o hall.png      a report without times
 
-.png pictures are tone mapped, .exr pictures hold linear radiance.)";
+.png pictures are tone mapped, .exr pictures hold linear radiance. The effect is timed where --json or --repeat asks
+for it.)";
 
 void requireRenderable(const RenderOptions& options) {
   if (!imageFormatOf(options.output))
@@ -37,76 +48,127 @@ void requireRenderable(const RenderOptions& options) {
   if (!options.view.camera)
     throw UsageError(
         "One picture needs one camera; give --camera a number, or use mres compare for all of them.");
+  if (!options.hasEffect() && options.timing.repeat.pairs)
+    throw UsageError("Without an effect there is nothing to time; leave out --repeat.");
+  requireMemory(bytesOfRender(options.view.size), physicalMemory());
   requireWritableFile(options.output);
 }
 
 /// Draws the scene's geometry and the effect; lights the one with the other.
 class PictureMaker {
  public:
-  PictureMaker(const RenderOptions& options, const Scene& scene, bool softwareRasterizer)
+  PictureMaker(const RenderOptions& options, const Scene& scene, bool softwareRasterizer,
+               ProgressBar& progress)
       : options_(options),
+        scene_(scene),
+        progress_(progress),
         renderer_(scene, profiler_, options.picture.settings.renderer),
-        timer_(softwareRasterizer) {
-    const PictureSettings& settings = options.picture.settings;
+        softwareRasterizer_(softwareRasterizer) {
     const GBufferTextures& gbuffer =
         renderer_.drawGeometry(scene.cameras.at(*options.view.camera), options.view.size);
     frame_ = frameOf(renderer_, gbuffer, options.view.size);
-    if (settings.effect != kNoEffect)
-      effect_ =
-          std::make_unique<EffectInstance>(settings, settings.technique, EffectInstance::Coverage::measured);
+    if (options.hasEffect()) effect_ = makeInstance(EffectInstance::Coverage::unmeasured);
   }
 
-  void measure(Measurement& measurement) {
-    if (!effect_) return;
-    if (options_.timing.repeat)
-      measurement.times.emplace().technique =
-          timeAlone([this] { effect_->render(frame_); }, [this](const Work& work) { return timer_(work); },
-                    *options_.timing.repeat);
-    inspect(*effect_, frame_, measurement);
+  [[nodiscard]] std::vector<std::string> warnings() const { return warningsOf(scene_, renderer_); }
+
+  Measurement measure() {
+    PictureSettings settings = options_.picture.settings;
+    Measurement measurement = describePicture(scene_, settings, *options_.view.camera, options_.view.size);
+    measurement.settings = settingsTable(settings).values();
+    measurement.pictures["picture"] = options_.output.string();
+    measurement.warnings = warnings();
+    if (options_.isTimed()) measurement.times.emplace().technique = timeEffect();
+    if (options_.hasEffect() && options_.picture.json) look(measurement);
+    return measurement;
   }
 
   FloatImage picture() {
+    show(kShareOfTiming, "drawing the picture");
     const GLuint radiance = renderer_.drawLighting(effect_ ? effect_->render(frame_) : 0);
     const bool isLinear = imageFormatOf(options_.output) == ImageFormat::exr;
     return readTexture(isLinear ? radiance : renderer_.drawToneMap(), frame_.size, 3);
   }
 
  private:
+  static constexpr double kShareOfTiming = 0.9;  // of the whole work, about
+
+  [[nodiscard]] std::unique_ptr<EffectInstance> makeInstance(EffectInstance::Coverage coverage) const {
+    const PictureSettings& settings = options_.picture.settings;
+    return std::make_unique<EffectInstance>(settings, settings.technique, coverage);
+  }
+
+  std::vector<RunTime> timeEffect() {
+    const GlTimer timer(softwareRasterizer_);
+    return timeAlone(
+        [this] { effect_->render(frame_); }, [&timer](const Work& work) { return timer(work); },
+        options_.timing.repeat,
+        [this](int run, int expected) {
+          show(kShareOfTiming * run / expected,
+               run == 0 ? "warming up" : fmt::format("timed run {} of at most {}", run, expected));
+        });
+  }
+
+  /// By an instance of its own, since measuring coverage would slow down what is timed.
+  void look(Measurement& measurement) {
+    show(kShareOfTiming, "looking at each stage");
+    const auto inspected = makeInstance(EffectInstance::Coverage::measured);
+    inspect(*inspected, frame_, options_.isTimed() ? stageClockOf(softwareRasterizer_) : StageClock::off,
+            measurement);
+  }
+
+  void show(double share, const std::string& what) {
+    throwIfInterrupted();
+    progress_.update(share, what);
+  }
+
   const RenderOptions& options_;
+  const Scene& scene_;
+  ProgressBar& progress_;
   mres::gl::Profiler profiler_;
   Renderer renderer_;
-  GlTimer timer_;
+  bool softwareRasterizer_;
   mres::Frame frame_;
   std::unique_ptr<EffectInstance> effect_;
 };
 
-Json makeRenderReport(const RenderOptions& options, const Scene& scene, const Machine& machine,
-                      PictureMaker& maker) {
-  PictureSettings settings = options.picture.settings;
-  Measurement measurement = describePicture(scene, settings, *options.view.camera, options.view.size);
-  measurement.settings = settingsTable(settings).values();
-  measurement.pictures["picture"] = options.output.string();
-  maker.measure(measurement);
-  Json report = makeReport(machine);
-  report["results"].push_back(toJson(measurement));
-  return report;
+/// "ssao by mres: 12.3 ms, the median of 7 runs from 12.1 to 12.9 ms (glFinish+steady_clock)".
+std::string timesLine(const Json& result) {
+  const Json& time = result["time_ms"];
+  return fmt::format("{} by {}: {:.1f} ms, the median of {} runs from {:.1f} to {:.1f} ms ({})\n",
+                     result["effect"].get<std::string>(), result["technique"].get<std::string>(),
+                     time["median"].get<double>(), time["runs"].get<int>(), time["min"].get<double>(),
+                     time["max"].get<double>(), result["clock"].get<std::string>());
+}
+
+std::string textOf(const RenderOptions& options, const GlContext::Info& gl, const Measurement& measurement) {
+  const Json result = toJson(measurement);
+  if (!options.picture.json)
+    return options.output.string() + "\n" + (options.isTimed() ? timesLine(result) : "");
+  Json report = makeReport(machineOf(gl.renderer, gl.version));
+  report["results"].push_back(result);
+  return toText(report);
 }
 
 void runRender(const RenderOptions& options) {
   requireRenderable(options);
+  StderrProgressBar progress;
   const GlContext context;
+  progress.update(0.0, "loading " + options.view.scene);
   const Scene scene = loadScene(options.view.scene);
   requireCamera(scene, *options.view.camera);
   throwIfInterrupted();
 
-  const GlContext::Info& gl = context.info();
-  PictureMaker maker(options, scene, gl.software);
-  Json report;
-  if (options.picture.json)
-    report = makeRenderReport(options, scene, machineOf(gl.renderer, gl.version), maker);
+  progress.update(0.0, "preparing " + scene.name);
+  PictureMaker maker(options, scene, context.info().software, progress);
+  progress.clear();
+  writeNotes(std::cerr, maker.warnings());
+  const Measurement measurement = maker.measure();
+  const FloatImage picture = maker.picture();
   throwIfInterrupted();
-  writeImage(options.output, maker.picture());
-  fmt::print("{}", options.picture.json ? toText(report) : fmt::format("{}\n", options.output.string()));
+  writeImage(options.output, picture);
+  progress.clear();
+  fmt::print("{}", textOf(options, context.info(), measurement));
 }
 
 }  // namespace
@@ -116,7 +178,7 @@ void addRenderCommand(CLI::App& app, Action& action) {
   const auto options = std::make_shared<RenderOptions>();
   addViewOptions(*command, options->view);
   addPictureOptions(*command, options->picture);
-  addTimingOptions(*command, options->timing);
+  addTimingOptions(*command, options->timing, "the median");
   command->add_option("-o,--output", options->output, "the picture, .png or .exr")
       ->required()
       ->type_name("FILE");

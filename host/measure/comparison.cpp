@@ -1,5 +1,7 @@
 #include "host/measure/comparison.h"
 
+#include <fmt/format.h>
+
 #include "host/measure/error_metrics.h"
 #include "host/measure/gl_timer.h"
 
@@ -7,6 +9,7 @@ namespace host {
 namespace {
 
 constexpr mres::Technique kReference = mres::Technique::full;
+constexpr double kShareOfTiming = 0.85;  // of the whole work, about
 
 }  // namespace
 
@@ -19,27 +22,41 @@ Comparison::Comparison(const Scene& scene, const PictureSettings& settings, bool
       reference_(settings, kReference, EffectInstance::Coverage::unmeasured),
       inspected_(settings, settings.technique, EffectInstance::Coverage::measured) {}
 
-Measurement Comparison::measure(const ComparisonRequest& request, const PairObserver& observe) {
-  const GBufferTextures& gbuffer = renderer_.drawGeometry(scene_.cameras.at(request.camera), request.size);
-  frame_ = frameOf(renderer_, gbuffer, request.size);
-
-  Measurement measurement = describePicture(scene_, settings_, request.camera, request.size);
-  measurement.reference = nameOf(kReference);
+/// By both techniques, timed if that was asked for.
+void Comparison::render(const ComparisonRequest& request, Measurement& measurement,
+                        const WorkObserver& observe) {
   const Work renderTechnique = [this] { techniqueTexture_ = technique_.render(frame_); };
   const Work renderReference = [this] { referenceTexture_ = reference_.render(frame_); };
   if (request.timing) {
     const GlTimer timer(softwareRasterizer_);
     measurement.times = timeInterleaved(
         renderTechnique, renderReference, [&timer](const Work& work) { return timer(work); }, *request.timing,
-        observe);
+        [&observe](int pair, int expected) {
+          observe(kShareOfTiming * pair / expected,
+                  pair == 0 ? "warming up" : fmt::format("timed pair {} of at most {}", pair, expected));
+        });
   } else {
+    observe(0.0, "rendering");
     renderTechnique();
     renderReference();
   }
+}
+
+Measurement Comparison::measure(const ComparisonRequest& request, const WorkObserver& observe) {
+  const GBufferTextures& gbuffer = renderer_.drawGeometry(scene_.cameras.at(request.camera), request.size);
+  frame_ = frameOf(renderer_, gbuffer, request.size);
+
+  Measurement measurement = describePicture(scene_, settings_, request.camera, request.size);
+  measurement.reference = nameOf(kReference);
+  measurement.warnings = warnings();
+  render(request, measurement, observe);
+  observe(kShareOfTiming, "comparing the pictures");
   techniqueValues_ = readTexture(techniqueTexture_, request.size, 1);
   referenceValues_ = readTexture(referenceTexture_, request.size, 1);
   measurement.error = compareImages(techniqueValues_, referenceValues_);
-  inspect(inspected_, frame_, measurement);
+  observe(kShareOfTiming, "looking at each stage");
+  inspect(inspected_, frame_, request.timing ? stageClockOf(softwareRasterizer_) : StageClock::off,
+          measurement);
   return measurement;
 }
 

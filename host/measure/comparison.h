@@ -2,6 +2,8 @@
 
 #include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "host/measure/effect_instance.h"
 #include "host/measure/interleaved.h"
@@ -30,6 +32,9 @@ struct ComparisonPictures {
 
 inline constexpr float kDifferenceEnhancement = 8.0f;
 
+/// Called as the work goes on, with the share that is done and what comes now.
+using WorkObserver = std::function<void(double share, const std::string& what)>;
+
 /// Measures a technique against the effect at full resolution, on the effect's values and nothing else: the
 /// G-buffer is drawn before, the lighting after.
 class Comparison {
@@ -37,12 +42,17 @@ class Comparison {
   /// `scene` must outlive the comparison.
   Comparison(const Scene& scene, const PictureSettings& settings, bool softwareRasterizer);
 
-  Measurement measure(const ComparisonRequest& request, const PairObserver& observe = {});
+  Measurement measure(
+      const ComparisonRequest& request, const WorkObserver& observe = [](auto&&...) {});
+
+  /// What users should know of the scene.
+  [[nodiscard]] std::vector<std::string> warnings() const { return warningsOf(scene_, renderer_); }
 
   /// Of what measure() was last asked.
   ComparisonPictures pictures();
 
  private:
+  void render(const ComparisonRequest& request, Measurement& measurement, const WorkObserver& observe);
   FloatImage litBy(GLuint effect);
 
   const Scene& scene_;

@@ -12,6 +12,7 @@ namespace {
 // More frames make a steadier median; slow frames vary less, so few of them will do.
 constexpr int kMostInspectedFrames = 3;
 constexpr double kEnoughInspectedMs = 1000.0;
+constexpr int kQueryLatency = 4;  // frames until the profiler reads queries; it never waits for them
 
 std::string stageName(std::string_view scope) {
   constexpr std::string_view kPrefix = "mres.";
@@ -56,6 +57,7 @@ std::vector<StageCost> medianStages(const std::vector<std::vector<StageCost>>& f
 mres::MultiResolution makeMultiResolution(const PictureSettings& settings, mres::Technique technique,
                                           EffectInstance::Coverage coverage) {
   mres::Options options;
+  options.shaderDirectory = settings.renderer.shaderDirectory;
   options.measureCoverage = coverage == EffectInstance::Coverage::measured;
   mres::MultiResolution multiResolution(options);
   multiResolution.settings().technique = technique;
@@ -63,7 +65,37 @@ mres::MultiResolution makeMultiResolution(const PictureSettings& settings, mres:
   return multiResolution;
 }
 
+/// The stages of a few frames.
+std::vector<std::vector<StageCost>> inspectFrames(EffectInstance& instance, const mres::Frame& frame) {
+  std::vector<std::vector<StageCost>> frames;
+  double spentMs = 0.0;
+  do {
+    instance.render(frame);
+    glFinish();  // or the next frames would find that queries are not ready, and drop them
+    frames.push_back(stagesOf(instance.multiResolution().report()));
+    for (const StageCost& stage : frames.back()) spentMs += stage.milliseconds;
+  } while (frames.size() < kMostInspectedFrames && spentMs < kEnoughInspectedMs);
+  return frames;
+}
+
+void timeStages(EffectInstance& instance, const mres::Frame& frame, StageClock clock,
+                Measurement& measurement) {
+  const bool byQueries = clock == StageClock::query;
+  instance.multiResolution().setProfiling(clock);
+  for (int i = 0; byQueries && i < kQueryLatency; ++i) {
+    instance.render(frame);
+    glFinish();
+  }
+  measurement.stages = medianStages(inspectFrames(instance, frame));
+  measurement.stagesClock = byQueries ? "GL_TIMESTAMP" : "glFinish+steady_clock";
+  instance.multiResolution().setProfiling(StageClock::off);
+}
+
 }  // namespace
+
+StageClock stageClockOf(bool softwareRasterizer) {
+  return softwareRasterizer ? StageClock::finish : StageClock::query;
+}
 
 EffectInstance::EffectInstance(const PictureSettings& settings, mres::Technique technique, Coverage coverage)
     : effect_(makeEffect(settings)), multiResolution_(makeMultiResolution(settings, technique, coverage)) {}
@@ -78,20 +110,17 @@ mres::Frame frameOf(const Renderer& renderer, const GBufferTextures& gbuffer, gl
   return frame;
 }
 
-void inspect(EffectInstance& instance, const mres::Frame& frame, Measurement& measurement) {
-  instance.render(frame);  // compiles the variants that measuring needs
-  instance.multiResolution().setProfiling(mres::gl::Profiler::Mode::finish);
-  std::vector<std::vector<StageCost>> frames;
-  double spentMs = 0.0;
-  do {
+void inspect(EffectInstance& instance, const mres::Frame& frame, StageClock clock, Measurement& measurement) {
+  // Two frames at least: the first compiles the variants that measuring needs, and its coverage is known once
+  // it is finished and the next begins.
+  instance.render(frame);
+  glFinish();
+  if (clock == StageClock::off)
     instance.render(frame);
-    frames.push_back(stagesOf(instance.multiResolution().report()));
-    for (const StageCost& stage : frames.back()) spentMs += stage.milliseconds;
-  } while (frames.size() < kMostInspectedFrames && spentMs < kEnoughInspectedMs);
-  instance.multiResolution().setProfiling(mres::gl::Profiler::Mode::off);
+  else
+    timeStages(instance, frame, clock, measurement);
 
   const mres::Report& report = instance.multiResolution().report();
-  measurement.stages = medianStages(frames);
   measurement.coverage = coverageOf(report);
   for (const mres::Skip& skip : report.skipped)
     measurement.skipped.push_back({std::string(skip.what), std::string(skip.reason)});

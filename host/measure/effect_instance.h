@@ -28,9 +28,14 @@ class EffectInstance {
 /// What the renderer drew last, as mres wants it.
 mres::Frame frameOf(const Renderer& renderer, const GBufferTextures& gbuffer, glm::ivec2 size);
 
-/// Adds to `measurement` what a frame needs: the share of each level's pixels in which the effect runs, and
-/// each stage's time, from a few frames with a glFinish around every stage. They are slower than frames
-/// without, so that these times add up to more than a frame takes. `instance` must measure coverage.
-void inspect(EffectInstance& instance, const mres::Frame& frame, Measurement& measurement);
+/// How to time stages: by timer queries on a GPU; on a software rasteriser, whose queries return before the
+/// work is done, by a glFinish around every stage. Frames with those are slower than frames without, so that
+/// the stages add up to more than a frame takes.
+using StageClock = mres::gl::Profiler::Mode;
+StageClock stageClockOf(bool softwareRasterizer);
+
+/// Adds to `measurement` what a frame needs: the share of each level's pixels in which the effect runs, the
+/// bytes, and each stage's time unless `clock` is off. `instance` must measure coverage.
+void inspect(EffectInstance& instance, const mres::Frame& frame, StageClock clock, Measurement& measurement);
 
 }  // namespace host

@@ -5,42 +5,72 @@
 namespace host {
 namespace {
 
-void warmUp(const Work& work, const Timer& timer, double seconds) {
+/// Reports how far the timing of a plan is.
+class Steps {
+ public:
+  Steps(const RepeatPlan& plan, const RunObserver& observe)
+      : expected_(plan.pairs.value_or(plan.maxPairs)), observe_(observe) {}
+
+  void done(std::size_t count) const {
+    if (observe_) observe_(static_cast<int>(count), expected_);
+  }
+
+ private:
+  int expected_;
+  const RunObserver& observe_;
+};
+
+void warmUp(const Work& work, const Timer& timer, double seconds, const Steps& steps) {
   double spent = 0.0;
-  do spent += timer(work).wallMs / 1000.0;
-  while (spent < seconds);
+  do {
+    steps.done(0);
+    spent += timer(work).wallMs / 1000.0;
+  } while (spent < seconds);
 }
 
-bool isEnough(const InterleavedTimes& times, const RepeatPlan& plan, double spentSeconds) {
-  const int pairs = static_cast<int>(times.technique.size());
-  if (plan.pairs) return pairs >= *plan.pairs;
-  if (pairs < plan.minPairs) return false;
-  return pairs >= plan.maxPairs || spentSeconds >= plan.maxSeconds ||
-         speedupOf(times).isKnownWithin(plan.precision);
+bool isEnough(std::size_t runs, const RepeatPlan& plan, double spentSeconds,
+              const std::function<RatioEstimate()>& estimate) {
+  const int done = static_cast<int>(runs);
+  if (plan.pairs) return done >= *plan.pairs;
+  if (done < plan.minPairs) return false;
+  return done >= plan.maxPairs || spentSeconds >= plan.maxSeconds || estimate().isKnownWithin(plan.precision);
+}
+
+RatioEstimate medianOf(const std::vector<RunTime>& runs) {
+  return estimateMedian(*timesBy(trustedClock({runs, {}}), runs));
 }
 
 }  // namespace
 
 InterleavedTimes timeInterleaved(const Work& technique, const Work& reference, const Timer& timer,
-                                 const RepeatPlan& plan, const PairObserver& observe) {
-  warmUp(technique, timer, plan.warmUpSeconds);
-  warmUp(reference, timer, plan.warmUpSeconds);
+                                 const RepeatPlan& plan, const RunObserver& observe) {
+  const Steps steps(plan, observe);
+  warmUp(technique, timer, plan.warmUpSeconds, steps);
+  warmUp(reference, timer, plan.warmUpSeconds, steps);
 
   InterleavedTimes times;
   double spentSeconds = 0.0;
-  while (!isEnough(times, plan, spentSeconds)) {
+  while (!isEnough(times.technique.size(), plan, spentSeconds, [&] { return speedupOf(times); })) {
     times.technique.push_back(timer(technique));
     times.reference.push_back(timer(reference));
     spentSeconds += (times.technique.back().wallMs + times.reference.back().wallMs) / 1000.0;
-    if (observe) observe(static_cast<int>(times.technique.size()), plan.pairs.value_or(plan.maxPairs));
+    steps.done(times.technique.size());
   }
   return times;
 }
 
-std::vector<RunTime> timeAlone(const Work& work, const Timer& timer, int runs) {
-  warmUp(work, timer, RepeatPlan().warmUpSeconds);
+std::vector<RunTime> timeAlone(const Work& work, const Timer& timer, const RepeatPlan& plan,
+                               const RunObserver& observe) {
+  const Steps steps(plan, observe);
+  warmUp(work, timer, plan.warmUpSeconds, steps);
+
   std::vector<RunTime> times;
-  while (static_cast<int>(times.size()) < runs) times.push_back(timer(work));
+  double spentSeconds = 0.0;
+  while (!isEnough(times.size(), plan, spentSeconds, [&] { return medianOf(times); })) {
+    times.push_back(timer(work));
+    spentSeconds += times.back().wallMs / 1000.0;
+    steps.done(times.size());
+  }
   return times;
 }
 

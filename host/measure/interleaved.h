@@ -18,10 +18,10 @@ struct RunTime {
 using Work = std::function<void()>;
 using Timer = std::function<RunTime(const Work&)>;
 
-/// How often to repeat. Without a fixed count: until the ratio is known within `precision` with 95 %
-/// confidence, or the most pairs or the most seconds are reached, whichever comes first.
+/// How often to repeat. Without a fixed count: until the ratio (or median) is known within `precision` with
+/// 95 % confidence, or the most pairs or the most seconds are reached, whichever comes first.
 struct RepeatPlan {
-  std::optional<int> pairs = std::nullopt;  ///< exactly so many, at least 1
+  std::optional<int> pairs = std::nullopt;  ///< exactly so many, at least 1; of one work alone, runs
   int minPairs = 5;                         ///< fewer say little about a median
   int maxPairs = 31;
   double maxSeconds = 20.0;    ///< of timed work
@@ -34,14 +34,16 @@ struct InterleavedTimes {
   std::vector<RunTime> reference;
 };
 
-/// Called after every pair with those done and those expected at most.
-using PairObserver = std::function<void(int done, int expected)>;
+/// Called before every run that warms up, with none done, and after every timed run or pair, with those done;
+/// `expected` is their number at most.
+using RunObserver = std::function<void(int done, int expected)>;
 
 InterleavedTimes timeInterleaved(const Work& technique, const Work& reference, const Timer& timer,
-                                 const RepeatPlan& plan, const PairObserver& observe = {});
+                                 const RepeatPlan& plan, const RunObserver& observe = {});
 
-/// One piece of work alone, warmed up, `runs` times.
-std::vector<RunTime> timeAlone(const Work& work, const Timer& timer, int runs);
+/// One piece of work alone, by the same plan: until its median is known.
+std::vector<RunTime> timeAlone(const Work& work, const Timer& timer, const RepeatPlan& plan,
+                               const RunObserver& observe = {});
 
 /// The wall times, or the GPU times where every run has one.
 enum class Clock { wall, gpu };

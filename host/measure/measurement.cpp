@@ -1,5 +1,7 @@
 #include "host/measure/measurement.h"
 
+#include <fmt/format.h>
+
 namespace host {
 
 Measurement describePicture(const Scene& scene, const PictureSettings& settings, int camera,
@@ -14,6 +16,14 @@ Measurement describePicture(const Scene& scene, const PictureSettings& settings,
   measurement.samples = sampleCount(settings);
   measurement.technique = nameOf(settings.technique);
   return measurement;
+}
+
+std::vector<std::string> warningsOf(const Scene& scene, const Renderer& renderer) {
+  std::vector<std::string> warnings = scene.warnings;
+  if (const std::size_t count = renderer.lightsLeftOut(); count > 0)
+    warnings.push_back(fmt::format("{} of its lights, the dimmest, {} left out: there are more than fit.",
+                                   count, count == 1 ? "is" : "are"));
+  return warnings;
 }
 
 }  // namespace host

@@ -42,13 +42,19 @@ struct Measurement {
                                           ///< reference runs there is no speedup
   std::optional<ErrorMetrics> error;      ///< none without a reference
   std::vector<double> coverage;           ///< share of level i in which the effect ran
-  std::vector<StageCost> stages;          ///< of the technique
+  std::vector<StageCost> stages;          ///< of the technique; none if no timing was asked for
+  std::string stagesClock;                ///< what the stages were timed with
   std::vector<SkippedPart> skipped;
   std::size_t gpuBytes = 0;
-  Json pictures = Json::object();  ///< what a picture shows -> its file, relative to the report
+  Json pictures = Json::object();     ///< what a picture shows -> its file, relative to the report
+  std::vector<std::string> warnings;  ///< warningsOf() it
 };
 
 /// What is known before anything is drawn.
 Measurement describePicture(const Scene& scene, const PictureSettings& settings, int camera, glm::ivec2 size);
+
+/// What users should know of a scene: what its loader left out or guessed, what the renderer cannot draw. A
+/// sentence each.
+std::vector<std::string> warningsOf(const Scene& scene, const Renderer& renderer);
 
 }  // namespace host

@@ -71,18 +71,21 @@ Json toJson(const Measurement& measurement) {
   result["coverage"] = measurement.coverage;
   result["stages_ms"] = Json::object();
   for (const StageCost& stage : measurement.stages) result["stages_ms"][stage.name] = stage.milliseconds;
+  result["stages_clock"] = measurement.stages.empty() ? Json() : Json(measurement.stagesClock);
   result["skipped"] = Json::array();
   for (const SkippedPart& part : measurement.skipped)
     result["skipped"].push_back({{"what", part.what}, {"reason", part.reason}});
   result["gpu_bytes"] = measurement.gpuBytes;
   result["settings"] = measurement.settings;
   result["pictures"] = measurement.pictures;
+  result["warnings"] = measurement.warnings;
   return result;
 }
 
 Json makeReport(const Machine& machine) {
   return {
       {"schema", kSchema},
+      {"version", MRES_VERSION},
       {"machine", {{"renderer", machine.renderer}, {"version", machine.version}, {"cores", machine.cores}}},
       {"results", Json::array()}};
 }

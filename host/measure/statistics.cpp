@@ -81,4 +81,8 @@ RatioEstimate ratioOfMedians(std::span<const double> numerators, std::span<const
   return estimate;
 }
 
+RatioEstimate estimateMedian(std::span<const double> values) {
+  return ratioOfMedians(values, std::vector<double>(values.size(), 1.0));
+}
+
 }  // namespace host

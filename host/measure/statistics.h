@@ -35,4 +35,7 @@ struct RatioEstimate {
 /// not positive.
 RatioEstimate ratioOfMedians(std::span<const double> numerators, std::span<const double> denominators);
 
+/// The median of `values` and, likewise, the interval in which it lies. Throws for none, or one not positive.
+RatioEstimate estimateMedian(std::span<const double> values);
+
 }  // namespace host

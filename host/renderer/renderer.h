@@ -14,13 +14,15 @@
 namespace host {
 
 struct RendererSettings {
-  int shadowMapSize = 2048;           ///< texels, [1, GL_MAX_TEXTURE_SIZE]. Side of the sun's shadow map.
+  int shadowMapSize = 2048;           ///< texels, [1, 16384]. Side of the sun's shadow map.
   float exposureCompensation = 0.0f;  ///< stops, [-10, 10]. Brightens the tone-mapped picture.
   std::string shaderDirectory{};  ///< Shader files found below it win over the embedded ones. Empty: none.
 };
 
 template <class Visitor>
 void visit(RendererSettings& settings, Visitor&& visitor) {
+  visitor("shadowMapSize", settings.shadowMapSize,
+          mres::SettingInfo{"texels", 1.0, 16384.0, "Side of the sun's shadow map."});
   visitor("exposureCompensation", settings.exposureCompensation,
           mres::SettingInfo{"stops", -10.0, 10.0, "Brightens the tone-mapped picture."});
 }

@@ -1,6 +1,8 @@
 // Whatever is wrong: one sentence on stderr, the right exit code, and no file left behind.
+#include <cstdlib>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
 #include "tests/cli/process.h"
 
@@ -109,6 +111,7 @@ TEST_F(BadInput, OutputsThatCannotBeWrittenAreFoundBeforeTheWork) {
   writeFile(input_.path() / "file", "");
   EXPECT_THAT(failureOf({"compare", missing, "-o", input_ / "file"}, 1), HasSubstr("file"));
   EXPECT_THAT(failureOf({"bench", "-o", input_ / "file/below"}, 1), HasSubstr("below"));
+  EXPECT_THAT(failureOf({"bench", "-o", ""}, 1), HasSubstr("empty"));
 }
 
 TEST_F(BadInput, NoOpenGlDevice) {
@@ -123,10 +126,43 @@ TEST_F(BadInput, OpenGlTooOld) {
 }
 
 TEST_F(BadInput, AFullStandardOutputIsAnError) {
-  for (const char* arguments : {"--help", "info"}) {
-    const std::string command = std::string(MRES_EXECUTABLE " ") + arguments + " > /dev/full 2> /dev/null";
-    EXPECT_NE(std::system(command.c_str()), 0) << arguments;
+  for (const std::string arguments : {"--help", "info", "info --json"}) {
+    const std::string errors = input_ / "err";
+    const int status = std::system((MRES_EXECUTABLE " " + arguments + " > /dev/full 2> " + errors).c_str());
+    ASSERT_TRUE(WIFEXITED(status)) << arguments;
+    EXPECT_EQ(WEXITSTATUS(status), 1) << arguments;
+    EXPECT_EQ(readFile(errors), "mres: Cannot write to the standard output; is its disk full?\n")
+        << arguments;
   }
+}
+
+TEST_F(BadInput, AShaderErrorIsOneSentence) {
+  writeFile(input_.path() / "effects/ssao.glsl", "vec4 shade(Surface surface) { return }\n");
+  EXPECT_THAT(
+      renderFailure({writeCornerScene(input_), "--shaders", input_.path().string()}, 1),
+      AllOf(HasSubstr("does not compile"), HasSubstr("effects/ssao.glsl:1"), HasSubstr("syntax error")));
+  EXPECT_THAT(renderFailure({"--shaders", input_ / "missing"}, 2), HasSubstr("no folder of shaders"));
+}
+
+TEST_F(BadInput, ABrokenReportIsNotResumedFrom) {
+  for (const char* text :
+       {"", "[]", R"({"results":[{}]})", R"({"schema":"1"})", R"({"schema":1,"results":3})"}) {
+    writeFile(input_.path() / "results.json", text);
+    const ProcessResult result =
+        runMres({"bench", "--suite", "smoke", "--resume", "-o", input_.path().string()});
+    EXPECT_EQ(result.exitCode, 1) << text;
+    EXPECT_THAT(result.err, AllOf(StartsWith("mres: Cannot resume from '"),
+                                  EndsWith("leave out --resume to begin anew.\n")));
+    EXPECT_EQ(readFile(input_.path() / "results.json"), text);
+  }
+}
+
+TEST_F(BadInput, WithoutAnEffectThereIsNothingToTime) {
+  EXPECT_THAT(renderFailure({"--effect", "none", "--repeat", "2"}, 2), HasSubstr("nothing to time"));
+}
+
+TEST_F(BadInput, ASecondSceneIsWrongUsage) {
+  EXPECT_THAT(renderFailure({"hall", "office"}, 2), HasSubstr("office"));
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
+#include <chrono>
+#include <csignal>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "host/image/image_file.h"
 #include "tests/cli/process.h"
@@ -21,6 +24,13 @@ class Command : public testing::Test {
     EXPECT_EQ(result.err, "");
     return result.out;
   }
+  /// The one result of a small comparison without times.
+  json untimedComparison(const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{"compare", scene_,        "--size", "64x36", "--samples",
+                                       "8",       "--no-timing", "--json", "-o",    folder_ / "out"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return json::parse(succeed(arguments))["results"].at(0);
+  }
   [[nodiscard]] std::vector<std::string> filesBelow(const std::string& name) const {
     std::vector<std::string> files;
     for (const auto& entry : fs::recursive_directory_iterator(folder_.path() / name))
@@ -40,9 +50,39 @@ TEST_F(Command, WithoutArgumentsTeaches) {
   EXPECT_EQ(succeed({"--help"}), succeed({}));
 }
 
-TEST_F(Command, HelpListsEverySettingWithItsRange) {
-  EXPECT_THAT(succeed({"compare", "--help"}), AllOf(HasSubstr("Examples"), HasSubstr("radius="),
-                                                    HasSubstr("normalThreshold"), HasSubstr("degrees")));
+TEST_F(Command, HelpListsEverySettingOfAReport) {
+  const json settings = untimedComparison({})["settings"];
+  EXPECT_GE(settings.size(), 10U);
+  for (const char* command : {"compare", "render"}) {
+    const std::string help = succeed({command, "--help"});
+    EXPECT_THAT(help, AllOf(HasSubstr("Examples"), HasSubstr("degrees")));
+    for (const auto& [name, value] : settings.items())
+      EXPECT_THAT(help, HasSubstr("\n  " + name + "=")) << command;
+  }
+}
+
+TEST_F(Command, SaysItsVersion) {
+  EXPECT_EQ(succeed({"--version"}), "mres " MRES_VERSION "\n");
+  EXPECT_EQ(json::parse(succeed({"info", "--json"}))["version"], MRES_VERSION);
+}
+
+TEST_F(Command, TheLastOfAnOptionGivenTwiceCounts) {
+  const json report = json::parse(succeed({"render",   scene_,
+                                           "--size",   "8x8",
+                                           "--size",   "16x9",
+                                           "--camera", "0",
+                                           "--camera", "1",
+                                           "--json",   "--json",
+                                           "--repeat", "5",
+                                           "--repeat", "2",
+                                           "-o",       folder_ / "a.png",
+                                           "-o",       folder_ / "b.png"}));
+  const json& result = report["results"][0];
+  EXPECT_EQ(result["width"], 16);
+  EXPECT_EQ(result["camera"], 1);
+  EXPECT_EQ(result["time_ms"]["runs"], 2);
+  EXPECT_FALSE(fs::exists(folder_ / "a.png"));
+  EXPECT_TRUE(fs::exists(folder_ / "b.png"));
 }
 
 TEST_F(Command, InfoNamesDeviceScenesEffectsAndTechniques) {
@@ -93,9 +133,37 @@ TEST_F(Command, RenderTimesTheEffectAlone) {
   const json report = json::parse(
       succeed({"render", scene_, "--size", "64x36", "--repeat", "3", "--json", "-o", folder_ / "a.png"}));
   const json& result = report["results"][0];
+  EXPECT_EQ(result["scene"], "corner");
   EXPECT_EQ(result["time_ms"]["runs"], 3);
   EXPECT_TRUE(result["speedup"].is_null());
   EXPECT_FALSE(result["stages_ms"].empty());
+  EXPECT_FALSE(result["stages_clock"].is_null());
+}
+
+TEST_F(Command, RenderTimesUntilTheMedianIsKnown) {
+  const json report =
+      json::parse(succeed({"render", scene_, "--size", "64x36", "--json", "-o", folder_ / "a.png"}));
+  EXPECT_GE(report["results"][0]["time_ms"]["runs"], 5);
+}
+
+TEST_F(Command, RenderTimesOnlyWhatIsAskedFor) {
+  const std::string picture = folder_ / "a.png";
+  EXPECT_EQ(succeed({"render", scene_, "--size", "64x36", "-o", picture}), picture + "\n");
+  EXPECT_EQ(succeed({"render", scene_, "--size", "64x36", "--no-timing", "-o", picture}), picture + "\n");
+  EXPECT_THAT(
+      succeed({"render", scene_, "--size", "64x36", "--repeat", "2", "-o", picture}),
+      testing::MatchesRegex(picture + "\nssao by mres: .* ms, the median of 2 runs from .* ms \\(.*\\)\n"));
+}
+
+TEST_F(Command, RenderWithoutTimingReportsAllElse) {
+  const json report = json::parse(
+      succeed({"render", scene_, "--size", "64x36", "--no-timing", "--json", "-o", folder_ / "a.png"}));
+  const json& result = report["results"][0];
+  EXPECT_TRUE(result["time_ms"].is_null());
+  EXPECT_TRUE(result["stages_ms"].empty());
+  EXPECT_TRUE(result["stages_clock"].is_null());
+  EXPECT_EQ(result["coverage"].back(), 1.0);
+  EXPECT_GT(result["gpu_bytes"], 0);
 }
 
 TEST_F(Command, CompareReportsEveryFieldOfTheSchema) {
@@ -176,13 +244,103 @@ TEST_F(Command, SettingsReachThePicture) {
   EXPECT_GT(rmsWith("intensity=1"), 0.0);
 }
 
+TEST_F(Command, WithoutTimingNoStageIsTimed) {
+  const json result = untimedComparison({});
+  EXPECT_TRUE(result["stages_ms"].empty());
+  EXPECT_TRUE(result["stages_clock"].is_null());
+  EXPECT_EQ(result["coverage"].back(), 1.0);
+  EXPECT_LT(result["coverage"].front(), 1.0);
+  EXPECT_GT(result["gpu_bytes"], 0);
+}
+
+TEST_F(Command, TheSeedChoosesThePoints) {
+  const json first = untimedComparison({"--seed", "1"});
+  const json second = untimedComparison({"--seed", "2"});
+  EXPECT_EQ(first["settings"]["seed"], 1);
+  EXPECT_EQ(second["settings"]["seed"], 2);
+  EXPECT_NE(first["error"]["rms"], second["error"]["rms"]);
+}
+
+TEST_F(Command, TheShadowMapsSizeIsASetting) {
+  EXPECT_EQ(untimedComparison({"--set", "shadowMapSize=256"})["settings"]["shadowMapSize"], 256);
+}
+
+TEST_F(Command, ShadersOfAFolderWin) {
+  writeFile(folder_.path() / "shaders/effects/ssao.glsl",
+            "vec4 shade(Surface surface) { return vec4(1.0); }\n");
+  EXPECT_EQ(untimedComparison({"--shaders", folder_ / "shaders"})["error"]["rms"], 0.0);
+}
+
+/// A scene of which something has to be left out.
+TEST_F(Command, WhatASceneLosesIsToldAndReported) {
+  json scene = json::parse(readFile(scene_));
+  scene["extensionsUsed"] = {"KHR_made_up"};
+  writeFile(folder_.path() / "odd.gltf", scene.dump());
+  for (const std::string command : {"compare", "render"}) {
+    const ProcessResult result = runMres(
+        {command, folder_ / "odd.gltf", "--size", "8x8", "--no-timing", "--json", "-o", folder_ / "out.png"});
+    EXPECT_EQ(result.exitCode, 0);
+    EXPECT_THAT(result.err, AllOf(testing::StartsWith("mres: note: "), HasSubstr("KHR_made_up")));
+    EXPECT_THAT(json::parse(result.out)["results"][0]["warnings"].dump(), HasSubstr("KHR_made_up"));
+    fs::remove_all(folder_.path() / "out.png");
+  }
+}
+
+TEST_F(Command, BenchWritesACampaignAndResumesIt) {
+  const std::vector<std::string> arguments{"bench",    "--suite", "smoke", "--repeat",       "2",
+                                           "--resume", "--json",  "-o",    folder_ / "bench"};
+  const ProcessResult first = runMres(arguments);
+  ASSERT_EQ(first.exitCode, 0) << first.err;
+  const std::string file = readFile(folder_.path() / "bench/results.json");
+  const json report = json::parse(first.out);
+  EXPECT_EQ(report, json::parse(file));
+  ASSERT_EQ(report["results"].size(), 2U);
+  EXPECT_EQ(report["results"][0]["scene"], "office");
+  EXPECT_EQ(report["results"][0]["time_ms"]["runs"], 2);
+  EXPECT_TRUE(
+      fs::exists(folder_.path() / "bench" / report["results"][0]["pictures"]["mres"].get<std::string>()));
+  const std::string page = readFile(folder_.path() / "bench/report.html");
+  EXPECT_THAT(page, AllOf(HasSubstr("pictures/office-0/mres.png"), HasSubstr("</html>")));
+  if (first.err.empty()) {  // else it says that there is no gnuplot
+    EXPECT_THAT(filesBelow("bench/plots"), testing::Contains("speedup-by-size.svg"));
+  }
+
+  EXPECT_EQ(runMres(arguments).out, first.out);
+  EXPECT_EQ(readFile(folder_.path() / "bench/results.json"), file) << "something was measured again";
+}
+
+/// Waits for a file or folder that a running command makes.
+bool appears(const fs::path& path) {
+  constexpr int kMostTries = 3000;
+  for (int i = 0; i < kMostTries && !fs::exists(path); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  return fs::exists(path);
+}
+
 TEST_F(Command, AnInterruptLeavesNothingHalfWritten) {
-  const std::string output = folder_ / "out";
-  const std::string command = "timeout --signal=INT 3 " MRES_EXECUTABLE
-                              " compare hall --size 720p --repeat 10000 -o '" +
-                              output + "' 2> /dev/null";
-  EXPECT_NE(std::system(command.c_str()), 0);
+  const fs::path output = folder_.path() / "out";
+  RunningMres run({"compare", "hall", "--size", "720p", "--repeat", "10000", "-o", output.string()}, {});
+  ASSERT_TRUE(appears(output));
+  run.interrupt();
+  const ProcessResult result = run.wait();
+  EXPECT_EQ(result.exitCode, 128 + SIGINT) << result.err;
+  EXPECT_EQ(result.err, "");
   EXPECT_FALSE(fs::exists(output));
+}
+
+TEST_F(Command, AnInterruptKeepsTheCamerasThatAreDone) {
+  const fs::path output = folder_.path() / "out";
+  RunningMres run(
+      {"compare", "office", "--camera", "all", "--size", "720p", "--no-timing", "-o", output.string()}, {});
+  ASSERT_TRUE(appears(output / "camera-1"));
+  run.interrupt();
+  EXPECT_EQ(run.wait().exitCode, 128 + SIGINT);
+  const json results = json::parse(readFile(output / "report.json"))["results"];
+  ASSERT_GE(results.size(), 1U);
+  EXPECT_LT(results.size(), 8U);
+  for (const json& result : results)
+    EXPECT_TRUE(fs::exists(output / result["pictures"]["levels"].get<std::string>()));
+  for (const std::string& file : filesBelow("out")) EXPECT_THAT(file, testing::Not(HasSubstr(".partial")));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "tests/cli/process.h"
 
+#include <csignal>
 #include <fcntl.h>
 #include <fstream>
 #include <iterator>
@@ -8,6 +9,7 @@
 #include <stdexcept>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <utility>
 
 namespace host::test {
 namespace fs = std::filesystem;
@@ -50,11 +52,10 @@ int exitCodeOf(int status) {
 
 }  // namespace
 
-ProcessResult runMres(const std::vector<std::string>& arguments,
-                      const std::vector<std::string>& environment) {
-  const TemporaryFolder folder;
-  const std::string out = folder / "out";
-  const std::string err = folder / "err";
+RunningMres::RunningMres(const std::vector<std::string>& arguments,
+                         const std::vector<std::string>& environment) {
+  const std::string out = folder_ / "out";
+  const std::string err = folder_ / "err";
   std::vector<std::string> command{MRES_EXECUTABLE};
   command.insert(command.end(), arguments.begin(), arguments.end());
   std::vector<std::string> variables = environmentWith(environment);
@@ -63,14 +64,31 @@ ProcessResult runMres(const std::vector<std::string>& arguments,
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT, 0600);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT, 0600);
-  pid_t child = 0;
-  const int error = posix_spawn(&child, MRES_EXECUTABLE, &actions, nullptr, pointersTo(command).data(),
+  const int error = posix_spawn(&child_, MRES_EXECUTABLE, &actions, nullptr, pointersTo(command).data(),
                                 pointersTo(variables).data());
   posix_spawn_file_actions_destroy(&actions);
   if (error != 0) throw std::runtime_error("cannot start " MRES_EXECUTABLE);
+}
+
+RunningMres::~RunningMres() {
+  if (child_ == 0) return;
+  kill(child_, SIGKILL);
+  waitpid(child_, nullptr, 0);
+}
+
+void RunningMres::interrupt() const {
+  kill(child_, SIGINT);
+}
+
+ProcessResult RunningMres::wait() {
   int status = 0;
-  waitpid(child, &status, 0);
-  return {exitCodeOf(status), readFile(out), readFile(err)};
+  waitpid(std::exchange(child_, 0), &status, 0);
+  return {exitCodeOf(status), readFile(folder_ / "out"), readFile(folder_ / "err")};
+}
+
+ProcessResult runMres(const std::vector<std::string>& arguments,
+                      const std::vector<std::string>& environment) {
+  return RunningMres(arguments, environment).wait();
 }
 
 TemporaryFolder::TemporaryFolder() {
@@ -96,6 +114,7 @@ std::string readFile(const fs::path& path) {
 }
 
 void writeFile(const fs::path& path, const std::string& text) {
+  fs::create_directories(path.parent_path());
   std::ofstream(path, std::ios::binary) << text;
 }
 

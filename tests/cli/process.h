@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <sys/types.h>
 #include <vector>
 
 namespace host::test {
@@ -35,10 +36,29 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
+/// `mres` while it runs.
+class RunningMres {
+ public:
+  RunningMres(const std::vector<std::string>& arguments, const std::vector<std::string>& environment);
+  ~RunningMres();
+  RunningMres(const RunningMres&) = delete;
+  RunningMres& operator=(const RunningMres&) = delete;
+  RunningMres(RunningMres&&) = delete;
+  RunningMres& operator=(RunningMres&&) = delete;
+
+  void interrupt() const;
+  ProcessResult wait();
+
+ private:
+  TemporaryFolder folder_;  // of its output
+  pid_t child_ = 0;
+};
+
 /// Writes a glTF scene of a floor, a wall and two cameras, and returns its path.
 std::string writeCornerScene(const TemporaryFolder& folder);
 
 std::string readFile(const std::filesystem::path& path);
+/// Makes the file's folder as well.
 void writeFile(const std::filesystem::path& path, const std::string& text);
 
 }  // namespace host::test

@@ -32,6 +32,8 @@ Measurement example() {
   measurement.error = ErrorMetrics{.rms = 0.01, .max = 0.3, .psnr = 40.0, .ssim = 0.99, .nonFinite = 0};
   measurement.coverage = {0.04, 0.09, 0.2, 1.0};
   measurement.stages = {{"edges", 30.0}, {"level0", 70.0}};
+  measurement.stagesClock = "glFinish+steady_clock";
+  measurement.warnings = {"Something is left out."};
   measurement.skipped = {{"level1", "not used by ssgi"}};
   measurement.gpuBytes = 123456;
   return measurement;
@@ -46,6 +48,7 @@ Json reportOf(const std::vector<Measurement>& measurements) {
 TEST(Report, HasTheFieldsThatScriptsRelyOn) {
   const Json report = Json::parse(toText(reportOf({example()})));
   EXPECT_EQ(report["schema"], 1);
+  EXPECT_TRUE(report["version"].is_string());
   EXPECT_EQ(report["machine"].dump(), R"({"renderer":"llvmpipe","version":"4.5","cores":2})");
   const Json& result = report["results"][0];
   EXPECT_EQ(result["scene"], "hall");
@@ -64,6 +67,8 @@ TEST(Report, HasTheFieldsThatScriptsRelyOn) {
   EXPECT_EQ(result["coverage"].dump(), "[0.04,0.09,0.2,1.0]");
   EXPECT_EQ(result["stages_ms"].dump(), R"({"edges":30.0,"level0":70.0})");
   EXPECT_EQ(result["skipped"].dump(), R"([{"what":"level1","reason":"not used by ssgi"}])");
+  EXPECT_EQ(result["stages_clock"], "glFinish+steady_clock");
+  EXPECT_EQ(result["warnings"].dump(), R"(["Something is left out."])");
   EXPECT_EQ(result["gpu_bytes"], 123456);
   EXPECT_EQ(result["settings"]["radius"], 0.4);
 }

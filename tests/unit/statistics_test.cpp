@@ -62,6 +62,15 @@ TEST(RatioOfMedians, IsTheSameForTheSameTimes) {
   EXPECT_EQ(ratioOfMedians(reference, technique).low, ratioOfMedians(reference, technique).low);
 }
 
+TEST(EstimateMedian, LiesInItsInterval) {
+  const RatioEstimate estimate = estimateMedian(std::vector{10.0, 14.0, 7.0, 12.0, 8.0});
+  EXPECT_EQ(estimate.ratio, 10.0);
+  EXPECT_GE(estimate.low, 7.0);
+  EXPECT_LE(estimate.low, 10.0);
+  EXPECT_GE(estimate.high, 10.0);
+  EXPECT_LE(estimate.high, 14.0);
+}
+
 TEST(RatioOfMedians, RejectsWhatHasNoRatio) {
   EXPECT_THROW(ratioOfMedians({}, {}), std::invalid_argument);
   EXPECT_THROW(ratioOfMedians(std::vector{1.0}, std::vector{1.0, 2.0}), std::invalid_argument);
@@ -122,6 +131,25 @@ TEST_F(Interleaved, GoesOnWhileTheRatioIsUncertain) {
 TEST_F(Interleaved, EndsWhenItsTimeIsUp) {
   jitter_ = 500.0;
   EXPECT_LT(run({.maxPairs = 1000, .maxSeconds = 20.0, .precision = 0.0}).technique.size(), 20U);
+}
+
+TEST_F(Interleaved, OneWorkAloneIsTimedUntilItsMedianIsKnown) {
+  const auto count = [this](const RepeatPlan& plan) {
+    order_.clear();
+    return timeAlone([this] { order_ += 'A', timer_.nextMs = techniqueMs(); }, std::ref(timer_), plan).size();
+  };
+  EXPECT_EQ(count({}), 5U);
+  EXPECT_EQ(order_, "AAAAAA") << "one to warm up";
+  EXPECT_EQ(count({.pairs = 2}), 2U);
+  jitter_ = 50.0;
+  EXPECT_GT(count({.maxPairs = 9, .maxSeconds = 1e9}), 5U);
+}
+
+TEST_F(Interleaved, TellsHowFarItIs) {
+  std::vector<std::pair<int, int>> seen;
+  timeAlone([this] { timer_.nextMs = 100.0; }, std::ref(timer_), {.pairs = 2},
+            [&](int done, int expected) { seen.emplace_back(done, expected); });
+  EXPECT_THAT(seen, ElementsAre(std::pair(0, 2), std::pair(1, 2), std::pair(2, 2)));
 }
 
 TEST_F(Interleaved, TrustsTheGpuClockOnlyWhereEveryRunHasOne) {

@@ -1,0 +1,25 @@
+#include "host/commands/notes.h"
+
+#include <algorithm>
+#include <fmt/ostream.h>
+
+namespace host {
+namespace {
+
+constexpr std::size_t kMostLines = 4;
+
+}  // namespace
+
+void writeNotes(std::ostream& out, const std::vector<std::string>& warnings) {
+  // "and 1 more" would take the place of what it hides.
+  const std::size_t shown = warnings.size() > kMostLines ? kMostLines - 1 : warnings.size();
+  for (std::size_t i = 0; i < shown; ++i) {
+    std::string line = warnings[i];
+    std::ranges::replace(line, '\n', ' ');  // names in files may hold anything
+    fmt::print(out, "mres: note: {}\n", line);
+  }
+  if (shown < warnings.size())
+    fmt::print(out, "mres: note: And {} more; --json reports all.\n", warnings.size() - shown);
+}
+
+}  // namespace host

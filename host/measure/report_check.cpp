@@ -1,0 +1,123 @@
+#include "host/measure/report_check.h"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+
+namespace host {
+namespace {
+
+using Check = bool (*)(const Json&);
+
+bool isText(const Json& value) {
+  return value.is_string();
+}
+
+bool isWhole(const Json& value) {
+  return value.is_number_integer();
+}
+
+bool isObject(const Json& value) {
+  return value.is_object();
+}
+
+bool isNumber(const Json& value) {
+  return value.is_number();
+}
+
+bool isPositive(const Json& value) {
+  return value.is_number() && value.get<double>() > 0.0;
+}
+
+template <Check check>
+bool isNullOr(const Json& value) {
+  return value.is_null() || check(value);
+}
+
+template <Check check>
+bool isListOf(const Json& value) {
+  return value.is_array() && std::ranges::all_of(value, check);
+}
+
+template <Check check>
+bool isTableOf(const Json& value) {
+  return value.is_object() && std::ranges::all_of(value, check);
+}
+
+template <Check check>
+bool has(const Json& object, const char* name) {
+  return object.is_object() && object.contains(name) && check(object.at(name));
+}
+
+bool isInterval(const Json& value) {
+  return isListOf<isNumber>(value) && value.size() == 2;
+}
+
+bool isSummary(const Json& value) {
+  return has<isNumber>(value, "median") && has<isNumber>(value, "min") && has<isNumber>(value, "max") &&
+         has<isWhole>(value, "runs");
+}
+
+bool isError(const Json& value) {
+  return has<isNumber>(value, "rms") && has<isNumber>(value, "max") &&
+         has<isNullOr<isNumber>>(value, "psnr") && has<isNumber>(value, "ssim");
+}
+
+bool isFileOrFactor(const Json& value) {
+  return value.is_string() || value.is_number();
+}
+
+struct Field {
+  const char* name;
+  Check isRight;
+};
+
+constexpr std::array kResultFields{Field{"scene", isText},
+                                   Field{"camera", isWhole},
+                                   Field{"width", isWhole},
+                                   Field{"height", isWhole},
+                                   Field{"effect", isText},
+                                   Field{"samples", isWhole},
+                                   Field{"technique", isText},
+                                   Field{"time_ms", isNullOr<isSummary>},
+                                   Field{"reference_time_ms", isNullOr<isSummary>},
+                                   Field{"clock", isNullOr<isText>},
+                                   Field{"speedup", isNullOr<isPositive>},
+                                   Field{"speedup_interval", isNullOr<isInterval>},
+                                   Field{"error", isNullOr<isError>},
+                                   Field{"coverage", isListOf<isNumber>},
+                                   Field{"stages_ms", isTableOf<isNumber>},
+                                   Field{"settings", isObject},
+                                   Field{"pictures", isTableOf<isFileOrFactor>}};
+
+/// A speedup comes with the times it is of, and plots show it with the error.
+constexpr std::array kFieldsOfASpeedup{"time_ms", "reference_time_ms", "clock", "speedup_interval", "error"};
+
+std::string faultOfResult(const Json& result) {
+  if (!result.is_object()) return "is no object";
+  for (const Field& field : kResultFields) {
+    if (!result.contains(field.name)) return fmt::format("has no '{}'", field.name);
+    if (!field.isRight(result.at(field.name))) return fmt::format("has a broken '{}'", field.name);
+  }
+  if (result.at("speedup").is_null()) return "";
+  for (const char* name : kFieldsOfASpeedup)
+    if (result.at(name).is_null()) return fmt::format("has a speedup without '{}'", name);
+  return "";
+}
+
+}  // namespace
+
+std::string faultOf(const Json& report) {
+  if (!report.is_object()) return "it is not JSON of a report";
+  if (!has<isWhole>(report, "schema") || report.at("schema") != makeReport({}).at("schema"))
+    return "its schema is another one";
+  if (!has<isText>(report, "version")) return "it names no version of mres";
+  if (!has<isObject>(report, "machine")) return "it names no machine";
+  if (!report.contains("results") || !report.at("results").is_array()) return "it has no list of results";
+  for (std::size_t i = 0; i < report.at("results").size(); ++i)
+    if (const std::string fault = faultOfResult(report.at("results")[i]); !fault.empty())
+      return fmt::format("result {} {}", i, fault);
+  return "";
+}
+
+}  // namespace host

@@ -1,0 +1,30 @@
+#include "host/commands/notes.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sstream>
+
+namespace host {
+namespace {
+
+std::string notesOf(const std::vector<std::string>& warnings) {
+  std::ostringstream out;
+  writeNotes(out, warnings);
+  return out.str();
+}
+
+TEST(Notes, AreALineEach) {
+  EXPECT_EQ(notesOf({}), "");
+  EXPECT_EQ(notesOf({"First.", "A\nname."}), "mres: note: First.\nmres: note: A name.\n");
+}
+
+TEST(Notes, AreFew) {
+  const std::vector<std::string> warnings(9, "Lost.");
+  const std::string notes = notesOf(warnings);
+  EXPECT_EQ(std::ranges::count(notes, '\n'), 4);
+  EXPECT_THAT(notes, testing::EndsWith("mres: note: And 6 more; --json reports all.\n"));
+  EXPECT_EQ(std::ranges::count(notesOf({"1", "2", "3", "4"}), '\n'), 4);
+}
+
+}  // namespace
+}  // namespace host
