@@ -53,6 +53,8 @@ class Bench : public testing::Test {
   }
   Bench(const Bench&) = delete;
   Bench& operator=(const Bench&) = delete;
+  Bench(Bench&&) = delete;
+  Bench& operator=(Bench&&) = delete;
 
   [[nodiscard]] fs::path file() const { return folder_ / "results.json"; }
   void fillReport(BenchResults& results) {

@@ -98,6 +98,14 @@ TEST(ImageFile, FailuresAreOneSentenceAndLeaveNoFile) {
   EXPECT_EQ(filesIn(folder.path()), 1U);
 }
 
+/// libpng's own limit on widths: the encoder fails when it is half set up.
+TEST(ImageFile, WhatTheEncoderRefusesIsOneSentence) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(writeError(folder.path() / "a.png", gradient({1'000'001, 1}, 1, 1.0f)),
+              HasSubstr("can't write '"));
+  EXPECT_EQ(filesIn(folder.path()), 0U);
+}
+
 /// Makes every file end after `bytes`, as on a full disk.
 class FileSizeLimit {
  public:
@@ -113,6 +121,8 @@ class FileSizeLimit {
   }
   FileSizeLimit(const FileSizeLimit&) = delete;
   FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+  FileSizeLimit(FileSizeLimit&&) = delete;
+  FileSizeLimit& operator=(FileSizeLimit&&) = delete;
 
  private:
   rlimit previous_{};
