@@ -287,8 +287,9 @@ TEST_F(Command, WhatASceneLosesIsToldAndReported) {
 }
 
 TEST_F(Command, BenchWritesACampaignAndResumesIt) {
-  const std::vector<std::string> arguments{"bench",    "--suite", "smoke", "--repeat",       "2",
-                                           "--resume", "--json",  "-o",    folder_ / "bench"};
+  const std::vector<std::string> arguments{"bench",   "--suite", "quick",          "-o", folder_ / "not-here",
+                                           "--suite", "smoke",   "--repeat",       "2",  "--resume",
+                                           "--json",  "-o",      folder_ / "bench"};
   const ProcessResult first = runMres(arguments);
   ASSERT_EQ(first.exitCode, 0) << first.err;
   const std::string file = readFile(folder_.path() / "bench/results.json");
