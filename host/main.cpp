@@ -1,3 +1,5 @@
 #include "host/commands/command_line.h"
 
-int main(int argc, char** argv) { return host::runCommandLine(argc, argv); }
+int main(int argc, char** argv) {
+  return host::runCommandLine(argc, argv);
+}
