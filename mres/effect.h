@@ -49,13 +49,13 @@ struct EffectDescription {
   glm::vec4 background{1.0f};               ///< The value where there is no surface.
   bool filtered =
       true;  ///< Noise of a repeating 4x4 pattern, removed by the depth-aware filter of each level.
-  bool hasPreview =
-      false;  ///< `shader` also defines `vec2 preview(Surface surface)`, cheaply: the least and the
-              ///< largest value, 0..1, that shade() may have there. Finds the effect's own edges.
   /// Wants the mips of view depth, `uniform sampler2D depthPyramid`, read by texelFetch(): texel t of mip m
   /// is the view depth of full-resolution pixel t * 2^m + 2^m / 2, 1e18 where there is no surface. Mip m has
   /// max(size >> m, 1) texels, and there are `pyramidLevels` of them (shaders/mres/frame_params.h).
   bool readsPyramid = true;
+  /// `shader` also defines `vec2 preview(Surface surface)`, cheaply: the least and the largest value, 0..1,
+  /// that shade() may have there. The masks are then made of its edges.
+  bool hasPreview = false;
 };
 
 /// Where an effect puts its own resources for a draw; lower units and bindings are taken by mres.

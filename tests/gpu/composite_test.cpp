@@ -48,16 +48,6 @@ struct Composed {
   Image refine;
 };
 
-/// The coarser level's say on a block or pixel whose corners lie there in its texels.
-double largestIn(const Image& image, glm::dvec2 low, glm::dvec2 high, int samplesPerAxis) {
-  double largest = 0.0;
-  for (int i = 0; i < samplesPerAxis * samplesPerAxis; ++i) {
-    const glm::dvec2 share = glm::dvec2(i % samplesPerAxis, i / samplesPerAxis) / (samplesPerAxis - 1.0);
-    largest = std::max(largest, bilinear(image, glm::mix(low, high, share)));
-  }
-  return largest;
-}
-
 /// What the coarser level found reaches one texel further, but for the finest level.
 double reachOf(const PlannedLevel& level) {
   return level.index == 0 ? 0.0 : 1.0;

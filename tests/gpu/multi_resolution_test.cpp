@@ -361,7 +361,7 @@ TEST_F(MultiResolutionTest, ATargetThatTheDriverRejectsLeavesNothingHalfMade) {
   EXPECT_GT(good, 20) << "targets, masks, zones and the pyramid were all made anew";
 }
 
-/// Every way to put one value of a settings struct out of its range.
+/// Every way to put one number of a settings struct out of its range.
 template <class SomeSettings>
 std::vector<SomeSettings> outOfRange(const SomeSettings& good) {
   std::vector<SomeSettings> bad;
@@ -370,12 +370,13 @@ std::vector<SomeSettings> outOfRange(const SomeSettings& good) {
   visit(probe, [&](const char*, auto&, const SettingInfo&) { ++count; });
   for (int changed = 0; changed < count; ++changed) {
     for (const double beyond : {-0.01, 0.01, std::numeric_limits<double>::quiet_NaN()}) {
-      SomeSettings& settings = bad.emplace_back(good);
+      SomeSettings settings = good;
       int index = 0;
       visit(settings, [&](const char*, auto& value, const SettingInfo& info) {
-        if (index++ != changed) return;
-        value = static_cast<std::remove_reference_t<decltype(value)>>((beyond < 0.0 ? info.min : info.max) +
-                                                                      beyond);
+        using Value = std::remove_reference_t<decltype(value)>;
+        if (index++ != changed || std::is_same_v<Value, bool>) return;  // a switch is always in range
+        value = static_cast<Value>((beyond < 0.0 ? info.min : info.max) + beyond);
+        bad.push_back(settings);
       });
     }
   }

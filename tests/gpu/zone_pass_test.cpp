@@ -32,7 +32,7 @@ class ZoneBench {
     gl::Texture2D refine;
     for (std::size_t i = zones.size(); i-- > 0;) {
       const bool hasSay = progressive && i + 1 < zones.size();
-      zones[i] = zone(plan_.levels[i], plan_.levels[i + 1], hasSay ? &refine : nullptr);
+      zones[i] = zone(i, hasSay ? &refine : nullptr);
       refine = randomTexture(plan_.levels[i].size, 0.3, zones[i]);
     }
     return zones;
@@ -41,32 +41,35 @@ class ZoneBench {
   [[nodiscard]] const LevelPlan& plan() const { return plan_; }
 
  private:
-  Image zone(const PlannedLevel& level, const PlannedLevel& coarser, const gl::Texture2D* refine) {
-    levelBlock_.upload(levelParams(level, &coarser, plan_.levels.front().size, 0.0f));
+  Image zone(std::size_t planned, const gl::Texture2D* refine) {
+    const PlannedLevel& level = plan_.levels[planned];
+    const LevelNeighbours neighbours{level, &plan_.levels[planned + 1],
+                                     planned == 0 ? nullptr : &plan_.levels[planned - 1]};
+    levelBlock_.upload(levelParams(neighbours, plan_.levels.front().size, 0.0f));
     levelBlock_.bind(kLevelBlock);
     zonePass_.draw(context_, level, {.mask = &masks_.mask(level.index), .refine = refine});
     const Image zone = readImage(zonePass_.zone(level.index), 1);
-    expectLikeReference(zone, level, coarser, refine);
+    expectLikeReference(zone, neighbours, refine);
     return zone;
   }
 
-  /// Expects the zone where the mask and the coarser level's say are above zero at a corner of the block.
-  void expectLikeReference(const Image& zone, const PlannedLevel& level, const PlannedLevel& coarser,
+  /// Expects the zone where the mask is above zero somewhere in the block and the coarser level's say is in
+  /// the block or, unless the level is the finest, up to a texel around it.
+  void expectLikeReference(const Image& zone, const LevelNeighbours& level,
                            const gl::Texture2D* refine) const {
-    const Image mask = readImage(masks_.mask(level.index), 1);
+    const Image mask = readImage(masks_.mask(level.level.index), 1);
     const Image say = refine == nullptr ? Image{{1, 1}, 1, {1.0f}} : readImage(*refine, 1);
-    const int stride = 1 << level.index;
+    const double stride = std::exp2(level.level.index);
+    const double coarserStride = std::exp2(level.coarser->index);
+    const double reach = level.finer == nullptr ? 0.0 : 1.0;
     for (int i = 0; i < zone.size.x * zone.size.y; ++i) {
       const glm::ivec2 texel(i % zone.size.x, i / zone.size.x);
-      double masked = 0.0;
-      double refined = 0.0;
-      for (int corner = 0; corner < 4; ++corner) {
-        const glm::dvec2 pixel((texel + glm::ivec2(corner % 2, corner / 2)) * ZONE_BLOCK * stride);
-        masked = std::max(masked, bilinear(mask, pixel / (2.0 * stride)));
-        refined = std::max(refined, bilinear(say, pixel / std::exp2(coarser.index)));
-      }
-      ASSERT_EQ(zone.at(texel), masked > 0.0 && refined > 0.0 ? 1.0f : 0.0f)
-          << "level " << level.index << ", texel " << texel.x << ", " << texel.y;
+      const glm::dvec2 low = glm::dvec2(texel * ZONE_BLOCK) * stride;
+      const glm::dvec2 high = low + ZONE_BLOCK * stride;
+      const bool masked = largestIn(mask, low / (2.0 * stride), high / (2.0 * stride), 2) > 0.0;
+      const bool refined = largestIn(say, low / coarserStride - reach, high / coarserStride + reach, 3) > 0.0;
+      ASSERT_EQ(zone.at(texel), masked && refined ? 1.0f : 0.0f)
+          << "level " << level.level.index << ", texel " << texel.x << ", " << texel.y;
     }
   }
 

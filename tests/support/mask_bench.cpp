@@ -1,5 +1,7 @@
 #include "tests/support/mask_bench.h"
 
+#include <algorithm>
+
 #include "mres/level/frame_params.h"
 #include "tests/support/gl_test.h"
 #include "tests/support/glsl_function.h"
@@ -28,6 +30,15 @@ double bilinear(const Image& image, glm::dvec2 place) {
   };
   return (at(0, 0) * (1.0 - weight.x) + at(1, 0) * weight.x) * (1.0 - weight.y) +
          (at(0, 1) * (1.0 - weight.x) + at(1, 1) * weight.x) * weight.y;
+}
+
+double largestIn(const Image& image, glm::dvec2 low, glm::dvec2 high, int samplesPerAxis) {
+  double largest = 0.0;
+  for (int i = 0; i < samplesPerAxis * samplesPerAxis; ++i) {
+    const glm::dvec2 share = glm::dvec2(i % samplesPerAxis, i / samplesPerAxis) / (samplesPerAxis - 1.0);
+    largest = std::max(largest, bilinear(image, glm::mix(low, high, share)));
+  }
+  return largest;
 }
 
 MaskBench::MaskBench() : context_(makeContext()), edgePass_(context_.library), maskPass_(context_.library) {}

@@ -17,6 +17,9 @@ Image readImage(const gl::Texture2D& texture, int channels);
 /// Bilinear sampling at a place in texels (centres at + 0.5), clamped to the edge.
 double bilinear(const Image& image, glm::dvec2 place);
 
+/// The largest of n x n bilinear samples spread evenly over a rectangle, corners included.
+double largestIn(const Image& image, glm::dvec2 low, glm::dvec2 high, int samplesPerAxis);
+
 /// Runs the mask steps of a frame one by one.
 class MaskBench {
  public:
