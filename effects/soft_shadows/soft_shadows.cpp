@@ -28,9 +28,8 @@ bool isFinite(const glm::mat4& matrix) {
 }
 
 void requireUsable(const ShadowInputs& inputs) {
+  if (inputs.shadowMap == 0) return;
   const glm::ivec2 size = inputs.mapSize;
-  if (inputs.shadowMap == 0)
-    throw std::invalid_argument("ShadowInputs::shadowMap must name a texture; it is 0.");
   if (size.x < 1 || size.y < 1 || size.x > kMaxMapSize || size.y > kMaxMapSize) {
     throw std::invalid_argument("ShadowInputs::mapSize must be 1 to 16384 texels in each direction.");
   }
@@ -80,7 +79,7 @@ params::SoftShadowsParams makeParams(const SoftShadowSettings& settings, const S
   params.shadowDepth = glm::row(inputs.shadowFromView, 2);
   params.shadowW = glm::row(inputs.shadowFromView, 3);
   params.light = inputs.light;
-  params.shadowMapSize = inputs.mapSize;
+  params.shadowMapSize = inputs.shadowMap == 0 ? glm::ivec2(0) : inputs.mapSize;
   params.mapDistance = mapDistance(params.shadowDepth, params.shadowW);
   params.filterRadius = settings.filterRadius;
   params.penumbraScale = penumbraScale(settings, isParallel(params.shadowW));
@@ -136,9 +135,6 @@ void SoftShadows::setUp(const gl::Program& program) {
 }
 
 void SoftShadows::bind() {
-  if (inputs_.shadowMap == 0) {
-    throw std::logic_error("SoftShadows has no shadow map; call setInputs() before render().");
-  }
   if (!uploaded_) resources_->params.upload(makeParams(settings_, inputs_));
   uploaded_ = true;
   resources_->params.bind(kEffectBlockBinding);

@@ -33,10 +33,6 @@ std::string listOf(const std::vector<std::string>& names) {
 std::string parseEffect(const std::string& name) {
   const std::vector<std::string> choices = effectChoices();
   if (std::ranges::find(choices, name) != choices.end()) return name;
-  static constexpr std::array<std::string_view, 2> kAnnounced{"ssm", "ssgi"};
-  if (std::ranges::find(kAnnounced, name) != kAnnounced.end())
-    throw UsageError(
-        fmt::format("The effect {} comes with a later version of mres; use {}.", name, listOf(choices)));
   throw UsageError(fmt::format("There is no effect '{}'{}", name, suggestion(name, choices)));
 }
 
@@ -71,17 +67,25 @@ CLI::Option* addText(CLI::App& command, const std::string& name, const char* val
 
 SettingsTable settingsTable(PictureSettings& settings) {
   SettingsTable table;
-  table.add(settings.ssao);
+  visitEffect(settings, [&table](auto& effect) {
+    table.add(effect);
+    for (std::size_t level = 0; level < effect.levels.size(); ++level)
+      table.add(effect.levels[level], fmt::format("level{}.", level));
+  });
   table.add(settings.mask);
-  for (std::size_t level = 0; level < settings.ssao.levels.size(); ++level)
-    table.add(settings.ssao.levels[level], fmt::format("level{}.", level));
   table.add(settings.renderer);
   return table;
 }
 
 std::string describeSettings() {
-  PictureSettings defaults;
-  return "\n\nSettings of --set, with their defaults:\n" + settingsTable(defaults).describe();
+  std::string text;
+  for (const std::string& effect : effectNames()) {
+    PictureSettings defaults;
+    defaults.effect = effect;
+    text += fmt::format("\n\nSettings of --set with --effect {}, and their defaults:\n", effect) +
+            settingsTable(defaults).describe();
+  }
+  return text;
 }
 
 void addPictureOptions(CLI::App& command, PictureOptions& options) {
@@ -100,7 +104,7 @@ void addPictureOptions(CLI::App& command, PictureOptions& options) {
       [=](const std::string& value) {
         assign({"samples", value});
       },
-      fmt::format("samples a pixel of the effect (default {})", sampleCount(settings)));
+      "samples a pixel of the effect");
   addText(
       command, "--seed", "N",
       [=](const std::string& value) {

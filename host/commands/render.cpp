@@ -86,7 +86,7 @@ class PictureMaker {
   FloatImage picture() {
     show(kShareOfTiming, "drawing the picture");
     if (effect_ && effectTexture_ == 0) renderEffect();
-    const GLuint radiance = renderer_.drawLighting(effectTexture_);
+    const GLuint radiance = renderer_.drawLighting(screenEffects(options_.picture.settings, effectTexture_));
     const bool isLinear = imageFormatOf(options_.output) == ImageFormat::exr;
     return readTexture(isLinear ? radiance : renderer_.drawToneMap(), frame_.size, 3);
   }
@@ -96,7 +96,9 @@ class PictureMaker {
 
   [[nodiscard]] std::unique_ptr<EffectInstance> makeInstance(EffectInstance::Coverage coverage) const {
     const PictureSettings& settings = options_.picture.settings;
-    return std::make_unique<EffectInstance>(settings, settings.technique, coverage);
+    auto instance = std::make_unique<EffectInstance>(settings, settings.technique, coverage);
+    instance->prepare(renderer_);
+    return instance;
   }
 
   void renderEffect() { effectTexture_ = effect_->render(frame_); }

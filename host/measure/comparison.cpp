@@ -45,6 +45,7 @@ void Comparison::render(const ComparisonRequest& request, Measurement& measureme
 Measurement Comparison::measure(const ComparisonRequest& request, const WorkObserver& observe) {
   const GBufferTextures& gbuffer = renderer_.drawGeometry(scene_.cameras.at(request.camera), request.size);
   frame_ = frameOf(renderer_, gbuffer, request.size);
+  for (EffectInstance* instance : {&technique_, &reference_, &inspected_}) instance->prepare(renderer_);
 
   Measurement measurement = describePicture(scene_, settings_, request.camera, request.size);
   measurement.reference = nameOf(kReference);
@@ -61,7 +62,7 @@ Measurement Comparison::measure(const ComparisonRequest& request, const WorkObse
 }
 
 FloatImage Comparison::litBy(GLuint effect) {
-  renderer_.drawLighting(effect);
+  renderer_.drawLighting(screenEffects(settings_, effect));
   return readTexture(renderer_.drawToneMap(), frame_.size, 3);
 }
 

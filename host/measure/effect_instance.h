@@ -16,6 +16,9 @@ class EffectInstance {
 
   EffectInstance(const PictureSettings& settings, mres::Technique technique, Coverage coverage);
 
+  /// Before a frame whose geometry the renderer has drawn.
+  void prepare(const Renderer& renderer) { setInputs(*effect_, renderer); }
+
   /// The texture of the effect's values.
   GLuint render(const mres::Frame& frame) { return multiResolution_.render(*effect_, frame); }
   mres::MultiResolution& multiResolution() { return multiResolution_; }

@@ -3,7 +3,7 @@
 namespace host {
 
 const std::vector<std::string>& effectNames() {
-  static const std::vector<std::string> kNames{"ssao"};
+  static const std::vector<std::string> kNames{kSsaoEffect, kSoftShadowEffect};
   return kNames;
 }
 
@@ -18,11 +18,31 @@ std::string nameOf(mres::Technique technique) {
 
 std::unique_ptr<mres::Effect> makeEffect(const PictureSettings& settings) {
   if (settings.effect == kNoEffect) return nullptr;
+  if (settings.effect == kSoftShadowEffect) return std::make_unique<mres::SoftShadows>(settings.softShadows);
   return std::make_unique<mres::Ssao>(settings.ssao);
 }
 
+void setInputs(mres::Effect& effect, const Renderer& renderer) {
+  if (auto* softShadows = dynamic_cast<mres::SoftShadows*>(&effect)) {
+    const SunShadow sun = renderer.sunShadow();
+    softShadows->setInputs({.shadowMap = sun.map,
+                            .mapSize = sun.size,
+                            .shadowFromView = sun.shadowFromView,
+                            .light = glm::vec4(sun.directionToSun, 0.0f)});
+  }
+}
+
+ScreenEffects screenEffects(const PictureSettings& settings, GLuint values) {
+  if (settings.effect == kSoftShadowEffect) return {.sunVisibility = values};
+  return {.accessibility = values};
+}
+
 int sampleCount(const PictureSettings& settings) {
-  return settings.effect == kNoEffect ? 0 : settings.ssao.samples;
+  if (settings.effect == kNoEffect) return 0;
+  PictureSettings copy = settings;
+  int samples = 0;
+  visitEffect(copy, [&samples](const auto& effect) { samples = effect.samples; });
+  return samples;
 }
 
 }  // namespace host

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "effects/soft_shadows/soft_shadows.h"
 #include "effects/ssao/ssao.h"
 #include "host/renderer/renderer.h"
 #include "mres/mres.h"
@@ -16,9 +17,12 @@ struct PictureSettings {
   mres::Technique technique = mres::Technique::multiResolution;
   mres::MaskSettings mask;
   mres::SsaoSettings ssao;
+  mres::SoftShadowSettings softShadows;
   RendererSettings renderer;
 };
 
+inline constexpr const char* kSsaoEffect = "ssao";
+inline constexpr const char* kSoftShadowEffect = "ssm";
 inline constexpr const char* kNoEffect = "none";
 
 const std::vector<std::string>& effectNames();
@@ -27,6 +31,21 @@ std::string nameOf(mres::Technique technique);
 
 /// The effect that the settings name; nullptr for kNoEffect. Needs a current OpenGL context.
 std::unique_ptr<mres::Effect> makeEffect(const PictureSettings& settings);
+
+/// Hands an effect what it reads of the renderer's last drawGeometry() besides the frame itself.
+void setInputs(mres::Effect& effect, const Renderer& renderer);
+
+/// Where the lighting takes the values of the effect that the settings name.
+ScreenEffects screenEffects(const PictureSettings& settings, GLuint values);
+
+/// Calls `visitor` with the settings of the effect that `settings` names.
+template <class Visitor>
+void visitEffect(PictureSettings& settings, Visitor&& visitor) {
+  if (settings.effect == kSoftShadowEffect)
+    visitor(settings.softShadows);
+  else
+    visitor(settings.ssao);
+}
 
 /// How many samples a pixel the effect takes; 0 for kNoEffect.
 int sampleCount(const PictureSettings& settings);

@@ -68,11 +68,12 @@ struct Renderer::Implementation {
     gbufferPass.draw(gpuScene, cameraView, size, profiler);
   }
 
-  void drawLighting(GLuint accessibility) {
+  void drawLighting(ScreenEffects effects) {
+    if (effects.accessibility == 0) effects.accessibility = gpuScene.white();
     viewBlock.bind(bindings::kView);
     illumination.bind();
     const GBufferTextures& gbuffer = gbufferPass.textures();
-    lightingPass.draw(gbuffer, accessibility == 0 ? gpuScene.white() : accessibility, size, profiler);
+    lightingPass.draw(gbuffer, effects, size, profiler);
     transparentPass.draw(gpuScene, cameraView, lightingPass.radiance(), gbuffer.depth, profiler);
   }
 
@@ -102,8 +103,8 @@ const GBufferTextures& Renderer::drawGeometry(const Camera& camera, glm::ivec2 s
   return implementation_->gbufferPass.textures();
 }
 
-GLuint Renderer::drawLighting(GLuint ambientOcclusion) {
-  implementation_->drawLighting(ambientOcclusion);
+GLuint Renderer::drawLighting(const ScreenEffects& effects) {
+  implementation_->drawLighting(effects);
   return implementation_->lightingPass.radiance().id();
 }
 
@@ -121,8 +122,8 @@ const glm::mat4& Renderer::projection() const {
   return implementation_->cameraView.projection;
 }
 
-GLuint Renderer::shadowMap() const {
-  return implementation_->illumination.shadow().map().id();
+SunShadow Renderer::sunShadow() const {
+  return implementation_->illumination.shadow().shadow(implementation_->cameraView);
 }
 
 std::size_t Renderer::lightsLeftOut() const {

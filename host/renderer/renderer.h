@@ -7,6 +7,7 @@
 
 #include "host/renderer/gbuffer_textures.h"
 #include "host/renderer/read_texture.h"
+#include "host/renderer/screen_effects.h"
 #include "host/scene/scene.h"
 #include "mres/gl/profiler.h"
 #include "mres/settings.h"
@@ -45,9 +46,8 @@ class Renderer {
   const GBufferTextures& drawGeometry(const Camera& camera, glm::ivec2 size);
 
   /// Lights the G-buffer of the last drawGeometry() into an RGBA16F texture of linear radiance, and draws
-  /// transparent surfaces over it. `ambientOcclusion` is a texture of accessibility 0..1 in red, of the same
-  /// size, that multiplies the ambient term; 0 is none.
-  GLuint drawLighting(GLuint ambientOcclusion);
+  /// transparent surfaces over it.
+  GLuint drawLighting(const ScreenEffects& effects);
 
   /// Tone maps the lit picture of the last drawLighting() into an sRGB-encoded RGBA8 texture of the same
   /// size.
@@ -57,8 +57,8 @@ class Renderer {
   [[nodiscard]] const glm::mat4& view() const;
   [[nodiscard]] const glm::mat4& projection() const;
 
-  /// The sun's shadow map: GL_DEPTH_COMPONENT24, one texel for scenes without a sun.
-  [[nodiscard]] GLuint shadowMap() const;
+  /// The shadow map of the last drawGeometry().
+  [[nodiscard]] SunShadow sunShadow() const;
 
   /// Lights that are not drawn, the dimmest ones of a scene that has more than the shaders take.
   [[nodiscard]] std::size_t lightsLeftOut() const;

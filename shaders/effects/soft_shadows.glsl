@@ -16,11 +16,17 @@ struct Receiver {
     float depth;     // window depth there
     vec2 slope;      // d depth / d place on the receiver's plane
     float perRise;   // window depth per metre above the plane
+    float reach;     // share of the filter's radius that the plane's slope allows
     vec2 perMetre;   // texture coordinates per metre across the light
     float distance;  // w: from a spot light, 1 for parallel light
     bool facesLight;
     bool inMap;
 };
+
+// Where light grazes a surface, its plane soon rises above whatever may block the light: the filter's disk shrinks with the
+// slope (the tangent of the angle between light and normal), down to a texel, and for that the slope itself is limited.
+const float kSteepestSlope = 4.0;
+const float kSteepestTexelSlope = 16.0;
 
 // The plane n . x = const around a point: with J the derivatives of place and depth by the view-space position,
 // J_depth = slope.x J_u + slope.y J_v + perRise n, solved by Cramer's rule.
@@ -40,6 +46,9 @@ Receiver receiverAt(vec3 position, vec3 normal) {
     receiver.slope = vec2(dot(cross(byDepth, byV), normal), dot(cross(byU, byDepth), normal)) / determinant;
     receiver.perRise = abs(dot(across, byDepth) / determinant);
     receiver.perMetre = vec2(length(byU), length(byV));
+    float steepness = length(receiver.slope * receiver.perMetre) / length(byDepth);
+    receiver.reach = min(kSteepestSlope / steepness, 1.0);
+    receiver.slope *= min(kSteepestTexelSlope / steepness, 1.0);
     receiver.distance = w;
     vec3 toLight = light.w == 0.0 ? light.xyz : light.xyz - position;
     receiver.facesLight = dot(toLight, normal) > 0.0;
@@ -56,14 +65,13 @@ struct Disk {
 };
 
 Disk diskAround(Receiver receiver, float radius, float azimuth) {
-    vec2 reach = max(radius * receiver.perMetre * shadowMapSize, vec2(1.0));
+    vec2 reach = max(radius * receiver.reach * receiver.perMetre * shadowMapSize, vec2(1.0));
     float c = cos(azimuth), s = sin(azimuth);
     Disk disk;
     disk.centre = receiver.place * shadowMapSize;
     disk.texelsFromUnit = mat2(c * reach.x, s * reach.y, -s * reach.x, c * reach.y);
     disk.depthFromTexels = receiver.slope / shadowMapSize;
-    float metres = max(reach.x / (receiver.perMetre.x * shadowMapSize.x), radius);
-    disk.depth = receiver.depth - bias * metres * receiver.perRise;
+    disk.depth = receiver.depth - bias * reach.x / (receiver.perMetre.x * shadowMapSize.x) * receiver.perRise;
     return disk;
 }
 
@@ -100,8 +108,9 @@ float penumbraRadius(Receiver receiver, float azimuth) {
 
 // Where no sample is needed: 0 behind the surface's back, 1 where nothing is known of shadows.
 bool isDecided(Surface surface, Receiver receiver, out float visibility) {
-    visibility = surface.background || receiver.facesLight ? 1.0 : 0.0;
-    return surface.background || !receiver.facesLight || !receiver.inMap;
+    bool open = surface.background || shadowMapSize.x == 0.0;
+    visibility = open || receiver.facesLight ? 1.0 : 0.0;
+    return open || !receiver.facesLight || !receiver.inMap;
 }
 
 vec4 shade(Surface surface) {

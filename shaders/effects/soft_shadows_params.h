@@ -15,7 +15,7 @@ UNIFORM_BLOCK(SoftShadowsParams) {
     vec4 shadowDepth;     // ... window depth in the shadow map, 0..1, times w
     vec4 shadowW;         // ... w: the distance from a spot light, 1 for parallel light
     vec4 light;           // view space: direction to the light and 0, or its position and 1
-    vec2 shadowMapSize;   // texels
+    vec2 shadowMapSize;   // texels; 0 without a shadow map
     vec2 mapDistance;     // distance from a spot light = .y / (window depth - .x); .y is 0 for parallel light
     float filterRadius;   // metres across the light; with PCSS the largest
     float penumbraScale;  // radius of the penumbra per metre between blocker and receiver (parallel light), or radius of

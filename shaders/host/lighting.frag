@@ -9,7 +9,9 @@ uniform sampler2D normalTexture;
 uniform sampler2D geometricNormalTexture;
 uniform sampler2D materialTexture;
 uniform sampler2D emissiveTexture;
-uniform sampler2D occlusionTexture;
+uniform sampler2D accessibilityTexture;
+uniform sampler2D sunVisibilityTexture;
+uniform bool hasSunVisibility;  // else the sun's shadows are looked up here
 
 out vec4 outRadiance;
 
@@ -32,6 +34,7 @@ void main() {
     point.geometricNormal = unpackNormal(texelFetch(geometricNormalTexture, pixel, 0));
     point.roughness = material.r;
     point.metallic = material.g;
-    float accessibility = texture(occlusionTexture, uv).r;  // one white texel where there is no occlusion
+    point.sunVisibility = hasSunVisibility ? texelFetch(sunVisibilityTexture, pixel, 0).r : kLookUpShadow;
+    float accessibility = texture(accessibilityTexture, uv).r;  // one white texel where there is no occlusion
     outRadiance = vec4(shade(point, texelFetch(emissiveTexture, pixel, 0).rgb, accessibility), 1.0);
 }

@@ -12,13 +12,17 @@ struct ShadingPoint {
     vec3 geometricNormal;
     float roughness;
     float metallic;
+    float sunVisibility;  // 0..1, or kLookUpShadow
 };
+
+const float kLookUpShadow = -1.0;
 
 vec3 sunLight(ShadingPoint p, Reflection reflection) {
     if (sunIlluminance.rgb == vec3(0.0) || dot(p.geometricNormal, directionToSun.xyz) <= 0.0) return vec3(0.0);
     vec3 share = reflectedShare(reflection, p.normal, p.toViewer, directionToSun.xyz);
     if (share == vec3(0.0)) return vec3(0.0);
-    return share * sunIlluminance.rgb * sunVisibility(p.position, p.geometricNormal);
+    float visibility = p.sunVisibility == kLookUpShadow ? sunVisibility(p.position, p.geometricNormal) : p.sunVisibility;
+    return share * sunIlluminance.rgb * visibility;
 }
 
 vec3 punctualLight(ShadingPoint p, Reflection reflection) {

@@ -21,5 +21,6 @@ void main() {
     point.geometricNormal = surface.geometricNormal;
     point.roughness = surface.roughness;
     point.metallic = surface.metallic;
+    point.sunVisibility = kLookUpShadow;
     outRadiance = vec4(shade(point, surface.emissive, 1.0), surface.alpha);
 }

@@ -124,8 +124,9 @@ TEST_F(LightingTest, AmbientIsDimmedByOcclusionAndNothingElseIs) {
   const mres::gl::Texture2D occlusion(GL_R32F, glm::ivec2(1), "quarter", 1, &quarter);
   Renderer renderer(scene, profiler());
   renderer.drawGeometry(frontCamera(), kSize);
-  const double open = centreRadiance(readTexture(renderer.drawLighting(0), kSize, 3));
-  const double occluded = centreRadiance(readTexture(renderer.drawLighting(occlusion.id()), kSize, 3));
+  const double open = centreRadiance(readTexture(renderer.drawLighting({}), kSize, 3));
+  const double occluded =
+      centreRadiance(readTexture(renderer.drawLighting({.accessibility = occlusion.id()}), kSize, 3));
   EXPECT_NEAR(open, 0.5, 0.02);  // a white surface in even light reflects it all
   EXPECT_NEAR(occluded, open * 0.25, kHalfTolerance);
 
@@ -134,7 +135,7 @@ TEST_F(LightingTest, AmbientIsDimmedByOcclusionAndNothingElseIs) {
   scene.materials[0].emissive = glm::vec3(0.5f);
   Renderer sunny(scene, profiler());
   sunny.drawGeometry(frontCamera(), kSize);
-  EXPECT_NEAR(centreRadiance(readTexture(sunny.drawLighting(occlusion.id()), kSize, 3)),
+  EXPECT_NEAR(centreRadiance(readTexture(sunny.drawLighting({.accessibility = occlusion.id()}), kSize, 3)),
               0.5 + chalkReflectance(1.0), 0.02);
 }
 
@@ -183,7 +184,7 @@ TEST_F(LightingTest, ToneMapIsPbrNeutralAndSrgb) {
   for (const auto& [stops, expected] : {std::pair(0.0f, 0.3f - 0.04f), std::pair(1.0f, 0.6f - 0.04f)}) {
     Renderer renderer(scene, profiler(), {.exposureCompensation = stops});
     renderer.drawGeometry(frontCamera(), kSize);
-    renderer.drawLighting(0);
+    renderer.drawLighting({});
     const float code = centre(readTexture(renderer.drawToneMap(), kSize, 3)).g;
     const FloatImage encoded = encodeSrgb({glm::ivec2(1), 1, {expected}});
     EXPECT_NEAR(code, encoded.pixels[0], 1.5f / 255.0f);

@@ -93,7 +93,7 @@ GBuffer RendererTest::drawGBuffer(const Scene& scene, const Camera& camera, glm:
 FloatImage RendererTest::drawLit(const Scene& scene, const Camera& camera, glm::ivec2 size) {
   Renderer renderer(scene, profiler_);
   renderer.drawGeometry(camera, size);
-  return readTexture(renderer.drawLighting(0), size, 3);
+  return readTexture(renderer.drawLighting({}), size, 3);
 }
 
 }  // namespace host::test

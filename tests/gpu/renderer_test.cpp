@@ -25,7 +25,7 @@ Scene smallScene() {
 
 void drawAll(Renderer& renderer, glm::ivec2 size) {
   renderer.drawGeometry(frontCamera(6.0f), size);
-  renderer.drawLighting(0);
+  renderer.drawLighting({});
   renderer.drawToneMap();
 }
 
@@ -44,9 +44,9 @@ TEST_F(RendererFacadeTest, KeepsItsTargetsWhileTheSizeStays) {
   drawAll(renderer, kSize);
   const std::size_t bytes = renderer.gpuBytes();
   const GLuint depth = renderer.drawGeometry(frontCamera(), kSize).depth;
-  const GLuint lit = renderer.drawLighting(0);
+  const GLuint lit = renderer.drawLighting({});
   EXPECT_EQ(renderer.drawGeometry(frontCamera(4.0f), kSize).depth, depth);
-  EXPECT_EQ(renderer.drawLighting(0), lit);
+  EXPECT_EQ(renderer.drawLighting({}), lit);
   EXPECT_EQ(renderer.gpuBytes(), bytes);
   drawAll(renderer, kSize * 2);
   EXPECT_GT(renderer.gpuBytes(), bytes);
@@ -59,7 +59,7 @@ TEST_F(RendererFacadeTest, ThePictureOfAFrameDependsOnNothingBefore) {
   drawAll(renderer, kSize);
   const std::vector<float> first = readTexture(renderer.drawToneMap(), kSize, 4).pixels;
   renderer.drawGeometry(lookAt("", {3.0f, 4.0f, 5.0f}, glm::vec3(0.0f), 70.0f), {31, 17});
-  renderer.drawLighting(0);
+  renderer.drawLighting({});
   renderer.drawToneMap();
   drawAll(renderer, kSize);
   EXPECT_EQ(readTexture(renderer.drawToneMap(), kSize, 4).pixels, first);

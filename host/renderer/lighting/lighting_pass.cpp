@@ -9,14 +9,15 @@ namespace host {
 namespace {
 
 /// In the order of their units.
-constexpr std::array kScreenTextures = {"depthTexture",           "albedoTexture",   "normalTexture",
-                                        "geometricNormalTexture", "materialTexture", "emissiveTexture",
-                                        "occlusionTexture"};
+constexpr std::array kScreenTextures = {"depthTexture",           "albedoTexture",       "normalTexture",
+                                        "geometricNormalTexture", "materialTexture",     "emissiveTexture",
+                                        "accessibilityTexture",   "sunVisibilityTexture"};
 
 }  // namespace
 
 LightingPass::LightingPass(const mres::gl::ShaderLibrary& library)
     : program_(library, {"common/full_screen.vert", "host/lighting.frag", ""}),
+      hasSunVisibility_(program_.uniformLocation("hasSunVisibility")),
       nearest_(mres::gl::makeSampler(mres::gl::Filter::nearest)) {
   glUseProgram(program_.id());
   Illumination::connect(program_);
@@ -25,7 +26,7 @@ LightingPass::LightingPass(const mres::gl::ShaderLibrary& library)
   for (const char* name : kScreenTextures) program_.setTextureUnit(name, unit++);
 }
 
-void LightingPass::draw(const GBufferTextures& gbuffer, GLuint accessibility, glm::ivec2 size,
+void LightingPass::draw(const GBufferTextures& gbuffer, const ScreenEffects& effects, glm::ivec2 size,
                         mres::gl::Profiler& profiler) {
   const mres::gl::Scope scope(profiler, "host.lighting");
   if (!target_ || target_.size() != size) {
@@ -35,8 +36,10 @@ void LightingPass::draw(const GBufferTextures& gbuffer, GLuint accessibility, gl
   target_.bind();
   apply(RenderState{});
   glUseProgram(program_.id());
-  const std::array textures = {gbuffer.depth,    gbuffer.albedo,   gbuffer.normal, gbuffer.geometricNormal,
-                               gbuffer.material, gbuffer.emissive, accessibility};
+  glUniform1i(hasSunVisibility_, effects.sunVisibility != 0 ? 1 : 0);
+  const std::array textures = {gbuffer.depth,           gbuffer.albedo,       gbuffer.normal,
+                               gbuffer.geometricNormal, gbuffer.material,     gbuffer.emissive,
+                               effects.accessibility,   effects.sunVisibility};
   static_assert(std::tuple_size_v<decltype(textures)> == kScreenTextures.size());
   GLuint unit = bindings::kFirstScreenTexture;
   for (const GLuint texture : textures) mres::gl::bindTexture(unit++, texture, nearest_);

@@ -2,6 +2,7 @@
 
 #include "host/renderer/gbuffer_textures.h"
 #include "host/renderer/lighting/illumination.h"
+#include "host/renderer/screen_effects.h"
 #include "mres/gl/full_screen.h"
 #include "mres/gl/profiler.h"
 #include "mres/gl/render_target.h"
@@ -13,9 +14,8 @@ class LightingPass {
  public:
   explicit LightingPass(const mres::gl::ShaderLibrary& library);
 
-  /// Expects view and illumination to be bound. `accessibility` is a texture of ambient occlusion's
-  /// complement.
-  void draw(const GBufferTextures& gbuffer, GLuint accessibility, glm::ivec2 size,
+  /// Expects view and illumination to be bound, and an accessibility.
+  void draw(const GBufferTextures& gbuffer, const ScreenEffects& effects, glm::ivec2 size,
             mres::gl::Profiler& profiler);
 
   /// RGBA16F, linear radiance.
@@ -24,6 +24,7 @@ class LightingPass {
 
  private:
   mres::gl::Program program_;
+  GLint hasSunVisibility_;
   mres::gl::RenderTarget target_;
   mres::gl::SamplerName nearest_;
   mres::gl::FullScreenTriangle triangle_;

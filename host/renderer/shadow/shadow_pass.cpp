@@ -13,6 +13,13 @@ namespace {
 constexpr float kSlopeScaledOffset = 1.0f;
 constexpr float kConstantOffset = 4.0f;
 
+/// Camera-relative world to texture coordinates and window depth of the map.
+glm::mat4 mapFromWorld(const ShadowFit& fit, glm::vec3 origin) {
+  const glm::mat4 clipToUv =
+      glm::translate(glm::mat4(1.0f), glm::vec3(0.5f)) * glm::scale(glm::mat4(1.0f), glm::vec3(0.5f));
+  return clipToUv * fit.clipMatrix(origin);
+}
+
 mres::gl::SamplerName makeComparingSampler() {
   mres::gl::SamplerName sampler = mres::gl::makeSampler(mres::gl::Filter::linear);
   glSamplerParameteri(sampler.id(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
@@ -43,7 +50,16 @@ void ShadowPass::draw(const GpuScene& scene, const Camera& camera, const CameraV
     drawn_ = fit;
     drawMap(scene, view.origin);
   }
+  isSeen_ = fit.has_value();
   uploadSun(fit, view.origin);
+}
+
+SunShadow ShadowPass::shadow(const CameraView& view) const {
+  if (!isSeen_) return {};
+  return {.map = map().id(),
+          .size = map().size(),
+          .shadowFromView = mapFromWorld(*drawn_, view.origin) * glm::transpose(view.rotation),
+          .directionToSun = -glm::normalize(glm::mat3(view.rotation) * sun_->direction)};
 }
 
 void ShadowPass::drawMap(const GpuScene& scene, glm::vec3 origin) {
@@ -65,9 +81,7 @@ void ShadowPass::drawMap(const GpuScene& scene, glm::vec3 origin) {
 void ShadowPass::uploadSun(const std::optional<ShadowFit>& fit, glm::vec3 origin) {
   mres::params::SunParams params{};
   if (fit) {  // else nothing is seen that could be lit
-    const glm::mat4 clipToUv =
-        glm::translate(glm::mat4(1.0f), glm::vec3(0.5f)) * glm::scale(glm::mat4(1.0f), glm::vec3(0.5f));
-    params.worldToShadow = clipToUv * fit->clipMatrix(origin);
+    params.worldToShadow = mapFromWorld(*fit, origin);
     params.directionToSun = glm::vec4(-glm::normalize(sun_->direction), 0.0f);
     params.sunIlluminance = glm::vec4(sun_->color * sun_->intensity, 0.0f);
     params.shadowTexel = 1.0f / static_cast<float>(target_.size().x);

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "host/renderer/scene/gpu_scene.h"
+#include "host/renderer/screen_effects.h"
 #include "host/renderer/shadow/shadow_fit.h"
 #include "mres/gl/profiler.h"
 #include "mres/gl/render_target.h"
@@ -25,6 +26,8 @@ class ShadowPass {
   /// Binds sun and shadow map for programs that were connected.
   void bind() const;
 
+  /// Of the last draw(), for a view; no map where nothing was drawn.
+  [[nodiscard]] SunShadow shadow(const CameraView& view) const;
   [[nodiscard]] const mres::gl::Texture2D& map() const { return target_.depthStencil(); }
 
  private:
@@ -37,7 +40,8 @@ class ShadowPass {
   mres::gl::SamplerName comparing_;
   mres::gl::UniformBuffer<mres::params::ViewParams> view_;
   mres::gl::UniformBuffer<mres::params::SunParams> params_;
-  std::optional<ShadowFit> drawn_;
+  std::optional<ShadowFit> drawn_;  // what the map holds
+  bool isSeen_ = false;             // whether the last view sees anything that the sun may light
 };
 
 }  // namespace host

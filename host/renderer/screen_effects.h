@@ -1,0 +1,22 @@
+#pragma once
+
+#include <epoxy/gl.h>
+#include <glm/glm.hpp>
+
+namespace host {
+
+/// What screen-space effects add to the lighting: textures of the picture's size, 0 for none.
+struct ScreenEffects {
+  GLuint accessibility = 0;  ///< red 0..1 multiplies the ambient light
+  GLuint sunVisibility = 0;  ///< red 0..1 multiplies the sun's light, in place of the renderer's own shadows
+};
+
+/// The sun's shadow map, for effects that filter it themselves.
+struct SunShadow {
+  GLuint map = 0;      ///< GL_DEPTH_COMPONENT24; 0 without a sun, or where none of its light is seen
+  glm::ivec2 size{0};  ///< texels
+  glm::mat4 shadowFromView{1.0f};  ///< view space to texture coordinates and window depth, 0..1
+  glm::vec3 directionToSun{0.0f};  ///< view space, unit length
+};
+
+}  // namespace host
