@@ -26,7 +26,7 @@ struct Receiver {
 // Where light grazes a surface, its plane soon rises above whatever may block the light: the filter's disk shrinks with the
 // slope (the tangent of the angle between light and normal), down to a texel, and for that the slope itself is limited.
 const float kSteepestSlope = 4.0;
-const float kSteepestTexelSlope = 16.0;
+const float kSteepestTexelSlope = 32.0;
 
 // The plane n . x = const around a point: with J the derivatives of place and depth by the view-space position,
 // J_depth = slope.x J_u + slope.y J_v + perRise n, solved by Cramer's rule.

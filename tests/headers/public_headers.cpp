@@ -1,5 +1,6 @@
 // Compiles what users include as they compile it: without the include path of the shaders' parameter headers,
 // whose macros have no prefix.
+#include "effects/soft_shadows/soft_shadows.h"
 #include "effects/ssao/ssao.h"
 #include "mres/mres.h"
 
