@@ -33,6 +33,28 @@ constexpr std::array kFormats = {
     KnownFormat{GL_DEPTH24_STENCIL8, {GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, 4}},
 };
 
+/// How OpenGL reads our pixels: rows without padding. The host's way is put back at the end.
+class TightPixels {
+ public:
+  TightPixels() {
+    for (std::size_t i = 0; i < kParameters.size(); ++i) {
+      glGetIntegerv(kParameters.at(i), &before_.at(i));
+      glPixelStorei(kParameters.at(i), kParameters.at(i) == GL_UNPACK_ALIGNMENT ? 1 : 0);
+    }
+  }
+  ~TightPixels() {
+    for (std::size_t i = 0; i < kParameters.size(); ++i) glPixelStorei(kParameters.at(i), before_.at(i));
+  }
+  TightPixels(const TightPixels&) = delete;
+  TightPixels& operator=(const TightPixels&) = delete;
+
+ private:
+  static constexpr std::array<GLenum, 5> kParameters = {GL_UNPACK_ALIGNMENT, GL_UNPACK_ROW_LENGTH,
+                                                        GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS,
+                                                        GL_UNPACK_SWAP_BYTES};
+  std::array<GLint, kParameters.size()> before_{};
+};
+
 }  // namespace
 
 FormatInfo formatInfo(GLenum internalFormat) {
@@ -51,9 +73,7 @@ Texture2D::Texture2D(GLenum internalFormat, glm::ivec2 size, const char* label, 
   GLint bound = 0;
   glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
   glBindTexture(GL_TEXTURE_2D, name_.id());
-  GLint alignment = 0;
-  glGetIntegerv(GL_UNPACK_ALIGNMENT, &alignment);
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  const TightPixels tightPixels;
   for (int level = 0; level < levels; ++level) {
     const glm::ivec2 levelSize = glm::max(size >> level, glm::ivec2(1));
     glTexImage2D(GL_TEXTURE_2D, level, static_cast<GLint>(internalFormat), levelSize.x, levelSize.y, 0,
@@ -62,7 +82,6 @@ Texture2D::Texture2D(GLenum internalFormat, glm::ivec2 size, const char* label, 
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 0);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, levels - 1);
   setLabel(GL_TEXTURE, name_.id(), label);
-  glPixelStorei(GL_UNPACK_ALIGNMENT, alignment);
   glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(bound));
 }
 
