@@ -3,6 +3,7 @@
 
 #include "shaders/effects/soft_shadows_params.h"
 #include "shaders/effects/ssao_params.h"
+#include "shaders/effects/ssgi_params.h"
 #include "shaders/mres/edges_params.h"
 #include "shaders/mres/frame_params.h"
 #include "shaders/mres/level_params.h"
@@ -62,7 +63,20 @@ std::vector<ParamsBlock> allBlocks() {
        sizeof(params::SsaoParams),
        "radius",
        {MEMBER(SsaoParams, radius), MEMBER(SsaoParams, bias), MEMBER(SsaoParams, intensity),
-        MEMBER(SsaoParams, sampleCount), ARRAY_MEMBER(SsaoParams, samples)}}};
+        MEMBER(SsaoParams, sampleCount), ARRAY_MEMBER(SsaoParams, samples)}},
+      {"effects/ssgi_params.h",
+       "SsgiParams",
+       sizeof(params::SsgiParams),
+       "bounce",
+       {MEMBER(SsgiParams, radius), MEMBER(SsgiParams, bias), MEMBER(SsgiParams, bounce),
+        MEMBER(SsgiParams, sampleCount), MEMBER(SsgiParams, up), MEMBER(SsgiParams, environmentAbove),
+        MEMBER(SsgiParams, environmentBelow), MEMBER(SsgiParams, radianceScale),
+        MEMBER(SsgiParams, maxRadiance), MEMBER(SsgiParams, ssgiPadding)}},
+      {"effects/ssgi_params.h",
+       "SsgiPoints",
+       sizeof(params::SsgiPoints),
+       "points[0].x",
+       {ARRAY_MEMBER(SsgiPoints, points)}}};
 }
 
 class ParamsLayout : public GlTest {};

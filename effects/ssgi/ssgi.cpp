@@ -1,0 +1,143 @@
+#include "effects/ssgi/ssgi.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "effects/common/sample_points.h"
+#include "mres/gl/texture.h"
+#include "mres/gl/uniform_buffer.h"
+#include "mres/validate.h"
+#include "shaders/effects/ssgi_params.h"
+
+namespace mres {
+
+namespace effects {
+std::span<const gl::ShaderFile> embeddedShaders();
+}
+
+namespace {
+
+constexpr GLuint kParamsBinding = kEffectBlockBinding;
+constexpr GLuint kPointsBinding = kEffectBlockBinding + 1;
+constexpr GLuint kPointsUnit = kEffectTextureUnit;
+constexpr GLuint kRadianceUnit = kEffectTextureUnit + 1;
+
+/// The largest half float: results are stored as such.
+constexpr float kLargestRadiance = 65504.0f;
+
+params::SsgiParams makeParams(const SsgiSettings& settings, const SsgiInputs& inputs) {
+  params::SsgiParams params{};
+  params.radius = settings.radius;
+  params.bias = settings.bias;
+  params.bounce = inputs.radiance == 0 ? 0.0f : settings.intensity;
+  params.sampleCount = settings.samples;
+  params.up = glm::vec4(inputs.up, 0.0f);
+  params.environmentAbove = glm::vec4(inputs.environmentAbove, 0.0f);
+  params.environmentBelow = glm::vec4(inputs.environmentBelow, 0.0f);
+  params.radianceScale = inputs.radianceScale;
+  params.maxRadiance = settings.maxRadiance;
+  return params;
+}
+
+/// At least one row, so that there is a texture to bind.
+gl::Texture2D makePointTexture(std::span<const glm::vec4> points) {
+  const std::size_t rows =
+      std::max<std::size_t>(1, (points.size() + SSGI_POINTS_PER_ROW - 1) / SSGI_POINTS_PER_ROW);
+  std::vector<glm::vec4> texels(points.begin(), points.end());
+  texels.resize(rows * SSGI_POINTS_PER_ROW);
+  return {GL_RGBA32F, {SSGI_POINTS_PER_ROW, rows}, "mres.ssgi.points", 1, texels.data()};
+}
+
+void validateRadiance(const char* name, float value) {
+  if (!(value >= 0.0f && value <= kLargestRadiance)) {
+    throw std::invalid_argument(std::string("SsgiInputs::") + name + " must be 0 to 65504.");
+  }
+}
+
+void validate(const SsgiInputs& inputs) {
+  validateRadiance("radianceScale", inputs.radianceScale);
+  for (int channel = 0; channel < 3; ++channel) {
+    validateRadiance("environmentAbove", inputs.environmentAbove[channel]);
+    validateRadiance("environmentBelow", inputs.environmentBelow[channel]);
+  }
+  constexpr float kTolerance = 0.01f;
+  if (!(std::abs(glm::length(inputs.up) - 1.0f) <= kTolerance)) {
+    throw std::invalid_argument("SsgiInputs::up must have unit length.");
+  }
+}
+
+}  // namespace
+
+struct Ssgi::Resources {
+  void setPoints(int count, int seed);
+
+  gl::UniformBuffer<params::SsgiParams> params;
+  gl::UniformBuffer<params::SsgiPoints> points;  // all of them in a texture take a tenth more time
+  gl::Texture2D morePoints;
+  gl::SamplerName nearest = gl::makeSampler(gl::Filter::nearest);
+};
+
+void Ssgi::Resources::setPoints(int count, int seed) {
+  const std::vector<glm::vec4> all = hemispherePointsForShader(count, seed);
+  const std::size_t inBlock = std::min<std::size_t>(all.size(), SSGI_BLOCK_POINTS);
+  params::SsgiPoints block{};
+  std::copy_n(all.begin(), inBlock, std::begin(block.points));
+  points.upload(block);
+  morePoints = makePointTexture(std::span(all).subspan(inBlock));
+}
+
+Ssgi::Ssgi(const SsgiSettings& settings) : resources_(std::make_unique<Resources>()) {
+  setSettings(settings);
+}
+
+Ssgi::~Ssgi() = default;
+
+void Ssgi::setSettings(const SsgiSettings& settings) {
+  validate("SsgiSettings", settings);
+  validate(settings.levels);
+  pointsUploaded_ =
+      pointsUploaded_ && settings.samples == settings_.samples && settings.seed == settings_.seed;
+  settings_ = settings;
+}
+
+void Ssgi::setInputs(const SsgiInputs& inputs) {
+  validate(inputs);
+  inputs_ = inputs;
+}
+
+const EffectDescription& Ssgi::description() const {
+  static const EffectDescription kDescription{.name = "ssgi",
+                                              .shader = "effects/ssgi.glsl",
+                                              .shaders = effects::embeddedShaders(),
+                                              .channels = 3,
+                                              .background = glm::vec4(0.0f),
+                                              .filtered = true,
+                                              .readsPyramid = true};
+  return kDescription;
+}
+
+void Ssgi::setUp(const gl::Program& program) {
+  program.setBlockBinding("SsgiParams", kParamsBinding);
+  program.setBlockBinding("SsgiPoints", kPointsBinding);
+  program.setTextureUnit("morePoints", kPointsUnit);
+  program.setTextureUnit("litPicture", kRadianceUnit);
+}
+
+void Ssgi::bind() {
+  if (!pointsUploaded_) resources_->setPoints(settings_.samples, settings_.seed);
+  pointsUploaded_ = true;
+  resources_->points.bind(kPointsBinding);
+  resources_->params.upload(makeParams(settings_, inputs_));
+  resources_->params.bind(kParamsBinding);
+  const GLuint points = resources_->morePoints.id();
+  gl::bindTexture(kPointsUnit, points, resources_->nearest);
+  // Without a lit picture the shader still reads one, and drivers warn of none: any complete texture will do.
+  gl::bindTexture(kRadianceUnit, inputs_.radiance == 0 ? points : inputs_.radiance, resources_->nearest);
+}
+
+}  // namespace mres

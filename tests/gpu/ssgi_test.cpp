@@ -1,0 +1,354 @@
+// What directional occlusion with one bounce must mean, whatever its implementation.
+#include "effects/ssgi/ssgi.h"
+
+#include <gmock/gmock.h>
+#include <limits>
+#include <optional>
+
+#include "effects/common/sample_points.h"
+#include "effects/ssao/ssao.h"
+#include "tests/support/allocations.h"
+#include "tests/support/gl_state.h"
+#include "tests/support/gl_test.h"
+#include "tests/support/hostile_state.h"
+#include "tests/support/pictures.h"
+#include "tests/support/sentences.h"
+#include "tests/support/ssgi_reference.h"
+#include "tests/support/synthetic_gbuffer.h"
+
+namespace mres::test {
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kHuge = std::numeric_limits<float>::max();
+constexpr glm::vec3 kWhite(1.0f);
+
+LitPicture uniformPicture(glm::ivec2 size, glm::vec3 colour) {
+  return {size, [=](glm::ivec2) { return colour; }};
+}
+
+/// A lit picture in which every surface that faces `direction` has the colour `there`.
+LitPicture facingPicture(const SyntheticGBuffer& gbuffer, glm::vec3 direction, glm::vec3 there,
+                         glm::vec3 elsewhere) {
+  const glm::ivec2 size = gbuffer.frame().size;
+  return {
+      size, [&](glm::ivec2 pixel) {
+        const glm::vec3 normal(gbuffer.normals().at(static_cast<std::size_t>(pixel.y * size.x + pixel.x)));
+        return glm::dot(normal, direction) > 0.5f ? there : elsewhere;
+      }};
+}
+
+class SsgiTest : public GlTest {
+ protected:
+  Image render(const SyntheticGBuffer& gbuffer, const SsgiSettings& settings, const SsgiInputs& inputs,
+               Technique technique = Technique::full) {
+    multiResolution_.settings().technique = technique;
+    ssgi_.setSettings(settings);
+    ssgi_.setInputs(inputs);
+    return {gbuffer.frame().size, 3, renderPicture(multiResolution_, ssgi_, gbuffer.frame())};
+  }
+
+  MultiResolution multiResolution_;
+  Ssgi ssgi_;
+};
+
+TEST_F(SsgiTest, AWhiteFurnaceNeverGivesMoreThanWhite) {
+  for (const glm::ivec2 size : {glm::ivec2(1), glm::ivec2(2, 3), glm::ivec2(7, 5), glm::ivec2(64, 1),
+                                glm::ivec2(1, 64), glm::ivec2(31, 17), glm::ivec2(129, 97)}) {
+    const SyntheticGBuffer gbuffer(size, perspective(size), room());
+    const LitPicture lit = uniformPicture(size, kWhite);
+    const SsgiInputs inputs{
+        .radiance = lit.texture.id(), .environmentAbove = kWhite, .environmentBelow = kWhite};
+    for (const Technique technique : {Technique::full, Technique::multiResolution}) {
+      const Image image = render(gbuffer, {.samples = 64}, inputs, technique);
+      for (const float value : image.texels)
+        ASSERT_TRUE(value >= 0.0f && value <= 1.0f + 1.0f / 1024) << value;
+    }
+  }
+}
+
+TEST_F(SsgiTest, WhatAWhiteFurnaceLosesIsTheBacksOfSenders) {
+  const glm::ivec2 size(129, 97);
+  const SyntheticGBuffer gbuffer(size, perspective(size), box({-2.137, -1.571, -5.1}, {2.213, 1.419, 1.0}));
+  const LitPicture lit = uniformPicture(size, kWhite);
+  const SsgiInputs inputs{
+      .radiance = lit.texture.id(), .environmentAbove = kWhite, .environmentBelow = kWhite};
+  EXPECT_THAT(render(gbuffer, {.samples = 64}, inputs).texels,
+              testing::Each(testing::FloatNear(1.0f, 0.001f)))
+      << "inside of an empty box nothing shows its back";
+}
+
+TEST_F(SsgiTest, WithoutALitPictureAWhiteEnvironmentIsAmbientOcclusion) {
+  const glm::ivec2 size(129, 97);
+  const SyntheticGBuffer gbuffer(size, perspective(size), room());
+  const Image image =
+      render(gbuffer, {.samples = 64}, {.environmentAbove = kWhite, .environmentBelow = kWhite});
+  Ssao ssao({.radius = 1.0f, .samples = 64});
+  const Picture accessibility = renderPicture(multiResolution_, ssao, gbuffer.frame());
+  EXPECT_LT(*std::ranges::min_element(accessibility), 0.5f);
+  for (std::size_t i = 0; i < accessibility.size(); ++i) {
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      ASSERT_NEAR(image.texels[3 * i + channel], accessibility[i], 0.002) << i;
+    }
+  }
+}
+
+TEST_F(SsgiTest, APlaneAloneGivesTheMeanOfTheEnvironment) {
+  const glm::ivec2 size(129, 97);
+  const LitPicture lit = uniformPicture(size, kWhite);
+  const SsgiInputs inputs{.radiance = lit.texture.id(),
+                          .environmentAbove = {1.0f, 0.5f, 0.25f},
+                          .environmentBelow = {0.0f, 0.5f, 0.75f},
+                          .up = glm::normalize(glm::vec3(0.1f, 0.9f, 0.3f))};
+  double cosine = 0.0;
+  for (const glm::dvec3 point : hemispherePoints(64, 0)) cosine += glm::normalize(point).z / 64.0;
+  EXPECT_NEAR(cosine, 2.0 / 3.0, 0.01) << "the cosine-weighted mean of a cosine";
+  for (const glm::dvec3 normal : {glm::dvec3(0.0, 1.0, 0.1), glm::dvec3(0.5, -0.7, 1.0)}) {
+    const SyntheticGBuffer gbuffer(size, perspective(size), plane(normal, -1.0 * normal.z - 1.0));
+    const double height = cosine * glm::dot(glm::normalize(normal), glm::dvec3(inputs.up));
+    const glm::dvec3 expected = glm::mix(glm::dvec3(inputs.environmentBelow),
+                                         glm::dvec3(inputs.environmentAbove), 0.5 + 0.5 * height);
+    const Image image = render(gbuffer, {.samples = 64}, inputs);
+    int surfaces = 0;
+    for (int i = 0; i < size.x * size.y; ++i) {
+      if (gbuffer.depths()[static_cast<std::size_t>(i)] == 1.0f) continue;
+      ++surfaces;
+      const glm::ivec2 pixel(i % size.x, i / size.x);
+      for (int channel = 0; channel < 3; ++channel) {
+        ASSERT_NEAR(image.at(pixel, channel), expected[channel], 0.002) << pixel.x << ", " << pixel.y;
+      }
+    }
+    EXPECT_GT(surfaces, size.x * size.y / 3);
+  }
+}
+
+TEST_F(SsgiTest, APlaneInAWhiteFurnaceIsExactlyWhite) {
+  const glm::ivec2 size(129, 97);
+  const SyntheticGBuffer gbuffer(size, perspective(size), plane({0.2, 0.3, 1.0}, -5.0));
+  const LitPicture lit = uniformPicture(size, kWhite);
+  const SsgiInputs inputs{
+      .radiance = lit.texture.id(), .environmentAbove = kWhite, .environmentBelow = kWhite};
+  for (const Technique technique : {Technique::full, Technique::multiResolution}) {
+    EXPECT_THAT(render(gbuffer, {}, inputs, technique).texels, testing::Each(1.0f));
+  }
+}
+
+TEST_F(SsgiTest, ARedWallTintsTheFloorBesideItAndNothingFarAway) {
+  const glm::ivec2 size(480, 360);
+  const glm::mat4 projection = perspective(size);
+  const SyntheticGBuffer gbuffer(size, projection,
+                                 nearest({plane({0.0, 1.0, 0.0}, -1.0), plane({0.0, 0.0, 1.0}, -5.0)}));
+  const LitPicture lit = facingPicture(gbuffer, {0.0f, 0.0f, 1.0f}, {1.0f, 0.0f, 0.0f}, kWhite);
+  for (const Technique technique : {Technique::full, Technique::multiResolution}) {
+    const Image image = render(gbuffer, {.samples = 64}, {.radiance = lit.texture.id()}, technique);
+    const float nothing = technique == Technique::full ? 0.0f : 0.05f;  // the refinement's threshold
+    float before = 1.0f;
+    for (const double distance : {0.25, 0.5, 0.75}) {
+      const glm::ivec2 pixel = pixelOf(projection, size, {0.0, -1.0, -5.0 + distance});
+      EXPECT_GT(image.at(pixel, 0), 0.003f) << distance << " m from the wall";
+      EXPECT_LT(image.at(pixel, 0), before) << distance << " m from the wall";
+      EXPECT_LE(image.at(pixel, 1), nothing) << "no green comes from the wall";
+      before = image.at(pixel, 0);
+    }
+    EXPECT_GT(image.at(pixelOf(projection, size, {0.0, -1.0, -4.75}), 0), 0.1f);
+    EXPECT_LE(image.at(pixelOf(projection, size, {0.0, -1.0, -2.7}), 0), nothing);
+    EXPECT_GT(image.at(pixelOf(projection, size, {0.0, -0.85, -5.0}), 1), 0.1f)
+        << "the white floor lights the foot of the wall";
+  }
+}
+
+// A screen that stands before a wall hides what is before it from the wall, which it shows its back.
+TEST_F(SsgiTest, SendersThatFaceAwaySendNothing) {
+  const glm::ivec2 size(240, 180);
+  const glm::mat4 projection = perspective(size);
+  const SyntheticGBuffer gbuffer(size, projection,
+                                 nearest({plane({0.0, 1.0, 0.0}, -1.0), plane({0.0, 0.0, 1.0}, -4.0),
+                                          box({-1.5, -1.0, -3.05}, {1.5, -0.5, -3.0})}));
+  const LitPicture lit = facingPicture(gbuffer, {0.0f, 0.0f, 1.0f}, kWhite, glm::vec3(0.0f));
+  const SsgiSettings settings{.radius = 1.2f, .samples = 64};
+  const glm::ivec2 behind = pixelOf(projection, size, {0.0, -0.55, -4.0});
+  const glm::ivec2 before = pixelOf(projection, size, {0.0, -1.0, -2.7});
+  const Image bounced = render(gbuffer, settings, {.radiance = lit.texture.id()});
+  EXPECT_EQ(bounced.at(behind), 0.0f);
+  EXPECT_GT(bounced.at(before), 0.05f);
+  const Image open = render(gbuffer, settings, {.environmentAbove = kWhite, .environmentBelow = kWhite});
+  EXPECT_LT(open.at(behind), 0.9f) << "it is blocked there";
+}
+
+TEST_F(SsgiTest, RadianceThatIsNoNumberSendsNothing) {
+  const glm::ivec2 size(97, 61);
+  const SyntheticGBuffer gbuffer(size, perspective(size), room());
+  const Image dark = render(gbuffer, {.samples = 16}, {.environmentAbove = kWhite});
+  for (const float bad : {kNan, kInfinity, -kInfinity, -1.0f}) {
+    const LitPicture lit = uniformPicture(size, glm::vec3(bad));
+    const Image image =
+        render(gbuffer, {.samples = 16}, {.radiance = lit.texture.id(), .environmentAbove = kWhite});
+    EXPECT_EQ(image.texels, dark.texels) << bad;
+  }
+}
+
+TEST_F(SsgiTest, RadianceIsBoundedByItsMaximum) {
+  const glm::ivec2 size(97, 61);
+  const SyntheticGBuffer gbuffer(size, perspective(size), room());
+  const SsgiSettings settings{.samples = 16, .intensity = 4.0f, .maxRadiance = 3.0f};
+  const LitPicture three = uniformPicture(size, glm::vec3(3.0f));
+  const Image expected = render(gbuffer, settings, {.radiance = three.texture.id()});
+  EXPECT_GT(*std::ranges::max_element(expected.texels), 3.0f);
+  for (const float large : {3.5f, 1e30f, kHuge}) {
+    const LitPicture lit = uniformPicture(size, glm::vec3(large));
+    for (const float scale : {1.0f, 65504.0f}) {
+      const Image image = render(gbuffer, settings, {.radiance = lit.texture.id(), .radianceScale = scale});
+      EXPECT_EQ(image.texels, expected.texels) << large << " times " << scale;
+    }
+  }
+}
+
+TEST_F(SsgiTest, SinglePixelsOfAnyValueLeaveEverythingFiniteAndBounded) {
+  const glm::ivec2 size(97, 61);
+  const SyntheticGBuffer gbuffer(size, perspective(size), room());
+  constexpr std::array kValues = {kNan, kInfinity, 0.5f, kHuge, -kHuge, 1.0f, 1e-40f};
+  const LitPicture lit(size, [&](glm::ivec2 pixel) {
+    const auto index = static_cast<std::size_t>(pixel.x + 3 * pixel.y);
+    return glm::vec3(kValues.at(index % 7), kValues.at((index + 1) % 7), kValues.at((index + 2) % 7));
+  });
+  for (const Technique technique : {Technique::full, Technique::multiResolution}) {
+    const Image image = render(gbuffer, {.samples = 32}, {.radiance = lit.texture.id()}, technique);
+    for (const float value : image.texels) ASSERT_TRUE(value >= 0.0f && value <= 8.0f) << value;
+  }
+}
+
+TEST_F(SsgiTest, TheSkyGetsNothingAndHidesNothing) {
+  const glm::ivec2 size(97, 61);
+  const SyntheticGBuffer gbuffer(size, perspective(size), sphere({0.0, 0.0, -3.0}, 1.0));
+  const LitPicture lit = uniformPicture(size, glm::vec3(5.0f));
+  const SsgiInputs inputs{
+      .radiance = lit.texture.id(), .environmentAbove = kWhite, .environmentBelow = kWhite};
+  const Image image = render(gbuffer, {.samples = 16}, inputs);
+  for (std::size_t i = 0; i < image.texels.size(); ++i) {
+    ASSERT_EQ(image.texels[i], gbuffer.depths()[i / 3] < 1.0f ? 1.0f : 0.0f) << i;
+  }
+  const SyntheticGBuffer sky(size, perspective(size), nearest({}));
+  EXPECT_THAT(render(sky, {.samples = 16}, inputs, Technique::multiResolution).texels, testing::Each(0.0f));
+}
+
+TEST_F(SsgiTest, WithoutReachThereIsTheEnvironmentAlone) {
+  const glm::ivec2 size(97, 61);
+  const SyntheticGBuffer gbuffer(size, perspective(size), room());
+  const LitPicture lit = uniformPicture(size, glm::vec3(5.0f));
+  const SsgiInputs inputs{
+      .radiance = lit.texture.id(), .environmentAbove = kWhite, .environmentBelow = kWhite};
+  EXPECT_THAT(render(gbuffer, {.radius = 0.0f, .samples = 16}, inputs).texels, testing::Each(1.0f));
+}
+
+TEST_F(SsgiTest, EveryNumberOfSamplesAgrees) {
+  const glm::ivec2 size(65, 41);
+  const SyntheticGBuffer gbuffer(size, perspective(size), room());
+  const LitPicture lit = uniformPicture(size, {1.0f, 0.5f, 0.25f});
+  const SsgiInputs inputs{.radiance = lit.texture.id(), .environmentAbove = kWhite};
+  const Image many = render(gbuffer, {.samples = 8192}, inputs);
+  EXPECT_LT(rootMeanSquare(render(gbuffer, {.samples = 8}, inputs).texels, many.texels), 0.1);
+  for (const int samples : {228, 1024, 1025, 4224}) {
+    EXPECT_LT(rootMeanSquare(render(gbuffer, {.samples = samples}, inputs).texels, many.texels), 0.01)
+        << samples;
+  }
+}
+
+TEST_F(SsgiTest, RendersTheLevelsOfThePapersTable) {
+  const glm::ivec2 size(129, 97);
+  const SyntheticGBuffer gbuffer(size, perspective(size), room());
+  static_cast<void>(render(gbuffer, {.samples = 8}, {}, Technique::multiResolution));
+  EXPECT_THAT(multiResolution_.report().levels, testing::ElementsAre(testing::Field(&LevelReport::index, 0),
+                                                                     testing::Field(&LevelReport::index, 2),
+                                                                     testing::Field(&LevelReport::index, 3)));
+  const LevelTable& table = ssgi_.levels();
+  EXPECT_EQ(table[0].maskVariance, 0.924f);
+  EXPECT_EQ(table[0].blendWeight, 1000.0f);
+  EXPECT_EQ(table[2].maskVariance, 0.924f);
+  EXPECT_EQ(table[2].blendWeight, 100.0f);
+  EXPECT_EQ(table[3].maskVariance, 0.0f);
+  EXPECT_EQ(table[3].blendWeight, 1.0f);
+}
+
+TEST_F(SsgiTest, EdgesEverywhereGiveTheNaivePictureBitForBit) {
+  for (const glm::ivec2 size : {glm::ivec2(96, 64), glm::ivec2(101, 77)}) {
+    const SyntheticGBuffer gbuffer(size, perspective(size), withRandomNormals(room()));
+    const LitPicture lit = uniformPicture(size, {1.0f, 0.5f, 0.25f});
+    const SsgiInputs inputs{.radiance = lit.texture.id(), .environmentAbove = kWhite};
+    refineAtEveryEdge(multiResolution_);
+    const Image mixed = render(gbuffer, {.samples = 8}, inputs, Technique::multiResolution);
+    EXPECT_EQ(multiResolution_.report().levels.size(), 3u);
+    EXPECT_EQ(mixed.texels, render(gbuffer, {.samples = 8}, inputs).texels);
+  }
+}
+
+TEST_F(SsgiTest, OfARoomIsCloseToTheNaivePicture) {
+  const glm::ivec2 size(320, 240);
+  const SyntheticGBuffer gbuffer(size, perspective(size), room());
+  const LitPicture lit = facingPicture(gbuffer, {0.0f, 1.0f, 0.0f}, kWhite, {0.5f, 0.2f, 0.1f});
+  const SsgiInputs inputs{.radiance = lit.texture.id(), .environmentAbove = kWhite};
+  const SsgiSettings settings{.samples = 32};
+  EXPECT_LT(rootMeanSquare(render(gbuffer, settings, inputs, Technique::multiResolution).texels,
+                           render(gbuffer, settings, inputs).texels),
+            0.02);
+}
+
+TEST_F(SsgiTest, HostileStateNeitherShowsNorChanges) {
+  const glm::ivec2 size(40, 30);
+  const SyntheticGBuffer gbuffer(size, perspective(size), room());
+  const LitPicture lit = uniformPicture(size, kWhite);
+  const SsgiInputs inputs{.radiance = lit.texture.id(), .environmentAbove = kWhite};
+  const SsgiSettings settings{.samples = 1600};  // those in a texture, too
+  const Image expected = render(gbuffer, settings, inputs);
+  std::optional<Ssgi> ssgi;
+  GLuint result = 0;
+  {
+    const HostileState hostile;
+    const GlState before = captureGlState();
+    ssgi.emplace(settings);
+    ssgi->setInputs(inputs);
+    result = multiResolution_.render(*ssgi, gbuffer.frame());
+    EXPECT_THAT(differences(before, captureGlState()), testing::IsEmpty());
+  }
+  EXPECT_EQ(readPixels(result, size, 3), expected.texels);
+}
+
+TEST_F(SsgiTest, ASteadyFrameAllocatesNothing) {
+  const glm::ivec2 size(97, 61);
+  const SyntheticGBuffer gbuffer(size, perspective(size), room());
+  const auto renderFrame = [&] {
+    ssgi_.setSettings({.samples = 8});
+    ssgi_.setInputs({.environmentAbove = kWhite});
+    multiResolution_.render(ssgi_, gbuffer.frame());
+  };
+  for (int frame = 0; frame < 3; ++frame) renderFrame();
+  const AllocationCounter allocations;
+  for (int frame = 0; frame < 3; ++frame) renderFrame();
+  EXPECT_EQ(allocations.count(), 0u);
+}
+
+TEST_F(SsgiTest, SettingsOutOfRangeAreRefused) {
+  for (const SsgiSettings& bad :
+       {SsgiSettings{.radius = -1.0f}, SsgiSettings{.radius = kNan}, SsgiSettings{.samples = 7},
+        SsgiSettings{.samples = 8193}, SsgiSettings{.intensity = 4.5f}, SsgiSettings{.bias = 2.0f},
+        SsgiSettings{.maxRadiance = 1001.0f}, SsgiSettings{.seed = -1}}) {
+    EXPECT_THAT([&] { ssgi_.setSettings(bad); }, refusesInASentence("SsgiSettings::"));
+  }
+  SsgiSettings bad;
+  bad.levels[2].maskVariance = kNan;
+  EXPECT_THAT([&] { ssgi_.setSettings(bad); }, refusesInASentence("maskVariance"));
+  EXPECT_EQ(ssgi_.settings().radius, SsgiSettings{}.radius);
+}
+
+TEST_F(SsgiTest, InputsOutOfRangeAreRefused) {
+  for (const SsgiInputs& bad :
+       {SsgiInputs{.radianceScale = -1.0f}, SsgiInputs{.radianceScale = kInfinity},
+        SsgiInputs{.environmentAbove = {0.0f, kNan, 0.0f}},
+        SsgiInputs{.environmentBelow = {0.0f, 0.0f, -1.0f}}, SsgiInputs{.environmentBelow = glm::vec3(7e4f)},
+        SsgiInputs{.up = glm::vec3(0.0f)}, SsgiInputs{.up = glm::vec3(kNan)}}) {
+    EXPECT_THAT([&] { ssgi_.setInputs(bad); }, refusesInASentence("SsgiInputs::"));
+  }
+}
+
+}  // namespace
+}  // namespace mres::test

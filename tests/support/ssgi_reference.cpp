@@ -1,0 +1,56 @@
+#include "tests/support/ssgi_reference.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mres::test {
+
+LitPicture::LitPicture(glm::ivec2 pictureSize, const std::function<glm::vec3(glm::ivec2 pixel)>& colourOf)
+    : size(pictureSize) {
+  for (int i = 0; i < size.x * size.y; ++i) {
+    texels.emplace_back(colourOf({i % size.x, i / size.x}), 1.0f);
+  }
+  texture = gl::Texture2D(GL_RGBA32F, size, "test.lit", 1, texels.data());
+}
+
+SsgiReference::SsgiReference(const SyntheticGBuffer& gbuffer, const LitPicture& lit,
+                             const SsgiSettings& settings, const SsgiInputs& inputs)
+    : hemisphere_(gbuffer, {.radius = static_cast<double>(settings.radius),
+                            .bias = static_cast<double>(settings.bias),
+                            .samples = settings.samples,
+                            .seed = settings.seed}),
+      lit_(lit),
+      settings_(settings),
+      inputs_(inputs) {}
+
+glm::dvec3 SsgiReference::environment(glm::dvec3 direction) const {
+  const double height = glm::dot(direction, glm::dvec3(inputs_.up));
+  return glm::mix(glm::dvec3(inputs_.environmentBelow), glm::dvec3(inputs_.environmentAbove),
+                  0.5 + 0.5 * height);
+}
+
+glm::dvec3 SsgiReference::sentBy(const Sight& sender) const {
+  if (glm::dot(hemisphere_.normalOf(sender.pixel), -sender.toSurface) <= 0.0) return glm::dvec3(0.0);
+  glm::dvec3 radiance(
+      lit_.texels.at(static_cast<std::size_t>(sender.pixel.y * lit_.size.x + sender.pixel.x)));
+  for (int channel = 0; channel < 3; ++channel) {
+    const double scaled = radiance[channel] * static_cast<double>(inputs_.radianceScale);
+    radiance[channel] = std::isfinite(radiance[channel])
+                            ? std::clamp(scaled, 0.0, static_cast<double>(settings_.maxRadiance))
+                            : 0.0;
+  }
+  return radiance * static_cast<double>(settings_.intensity);
+}
+
+glm::dvec3 SsgiReference::arriving(glm::ivec2 pixel) const {
+  if (hemisphere_.isBackground(pixel)) return glm::dvec3(0.0);
+  const std::vector<Sight> sights = hemisphere_.sightsFrom(pixel);
+  glm::dvec3 sum(0.0);
+  for (const Sight& sight : sights) {
+    sum += (1.0 - sight.blocked) * environment(sight.direction);
+    if (sight.blocked > 0.0) sum += sight.blocked * sentBy(sight);
+  }
+  return sum / static_cast<double>(sights.size());
+}
+
+}  // namespace mres::test
