@@ -94,6 +94,14 @@ TEST_F(SsgiTest, WithoutALitPictureAWhiteEnvironmentIsAmbientOcclusion) {
   }
 }
 
+TEST_F(SsgiTest, WithoutALitPictureAndAnEnvironmentIsNothing) {
+  const glm::ivec2 size(97, 61);
+  const SyntheticGBuffer gbuffer(size, perspective(size), room());
+  for (const int samples : {16, 1600}) {
+    EXPECT_THAT(render(gbuffer, {.samples = samples}, {}).texels, testing::Each(0.0f)) << samples;
+  }
+}
+
 TEST_F(SsgiTest, APlaneAloneGivesTheMeanOfTheEnvironment) {
   const glm::ivec2 size(129, 97);
   const LitPicture lit = uniformPicture(size, kWhite);
