@@ -39,6 +39,10 @@ LitPicture facingPicture(const SyntheticGBuffer& gbuffer, glm::vec3 direction, g
       }};
 }
 
+SsgiInputs inAWhiteEnvironment(const LitPicture& lit) {
+  return {.radiance = lit.texture.id(), .environmentAbove = kWhite, .environmentBelow = kWhite};
+}
+
 class SsgiTest : public GlTest {
  protected:
   Image render(const SyntheticGBuffer& gbuffer, const SsgiSettings& settings, const SsgiInputs& inputs,
@@ -58,8 +62,7 @@ TEST_F(SsgiTest, AWhiteFurnaceNeverGivesMoreThanWhite) {
                                 glm::ivec2(1, 64), glm::ivec2(31, 17), glm::ivec2(129, 97)}) {
     const SyntheticGBuffer gbuffer(size, perspective(size), room());
     const LitPicture lit = uniformPicture(size, kWhite);
-    const SsgiInputs inputs{
-        .radiance = lit.texture.id(), .environmentAbove = kWhite, .environmentBelow = kWhite};
+    const SsgiInputs inputs = inAWhiteEnvironment(lit);
     for (const Technique technique : {Technique::full, Technique::multiResolution}) {
       const Image image = render(gbuffer, {.samples = 64}, inputs, technique);
       for (const float value : image.texels)
@@ -72,8 +75,7 @@ TEST_F(SsgiTest, WhatAWhiteFurnaceLosesIsTheBacksOfSenders) {
   const glm::ivec2 size(129, 97);
   const SyntheticGBuffer gbuffer(size, perspective(size), box({-2.137, -1.571, -5.1}, {2.213, 1.419, 1.0}));
   const LitPicture lit = uniformPicture(size, kWhite);
-  const SsgiInputs inputs{
-      .radiance = lit.texture.id(), .environmentAbove = kWhite, .environmentBelow = kWhite};
+  const SsgiInputs inputs = inAWhiteEnvironment(lit);
   EXPECT_THAT(render(gbuffer, {.samples = 64}, inputs).texels,
               testing::Each(testing::FloatNear(1.0f, 0.001f)))
       << "inside of an empty box nothing shows its back";
@@ -135,8 +137,7 @@ TEST_F(SsgiTest, APlaneInAWhiteFurnaceIsExactlyWhite) {
   const glm::ivec2 size(129, 97);
   const SyntheticGBuffer gbuffer(size, perspective(size), plane({0.2, 0.3, 1.0}, -5.0));
   const LitPicture lit = uniformPicture(size, kWhite);
-  const SsgiInputs inputs{
-      .radiance = lit.texture.id(), .environmentAbove = kWhite, .environmentBelow = kWhite};
+  const SsgiInputs inputs = inAWhiteEnvironment(lit);
   for (const Technique technique : {Technique::full, Technique::multiResolution}) {
     EXPECT_THAT(render(gbuffer, {}, inputs, technique).texels, testing::Each(1.0f));
   }
@@ -230,8 +231,7 @@ TEST_F(SsgiTest, TheSkyGetsNothingAndHidesNothing) {
   const glm::ivec2 size(97, 61);
   const SyntheticGBuffer gbuffer(size, perspective(size), sphere({0.0, 0.0, -3.0}, 1.0));
   const LitPicture lit = uniformPicture(size, glm::vec3(5.0f));
-  const SsgiInputs inputs{
-      .radiance = lit.texture.id(), .environmentAbove = kWhite, .environmentBelow = kWhite};
+  const SsgiInputs inputs = inAWhiteEnvironment(lit);
   const Image image = render(gbuffer, {.samples = 16}, inputs);
   for (std::size_t i = 0; i < image.texels.size(); ++i) {
     ASSERT_EQ(image.texels[i], gbuffer.depths()[i / 3] < 1.0f ? 1.0f : 0.0f) << i;
@@ -244,8 +244,7 @@ TEST_F(SsgiTest, WithoutReachThereIsTheEnvironmentAlone) {
   const glm::ivec2 size(97, 61);
   const SyntheticGBuffer gbuffer(size, perspective(size), room());
   const LitPicture lit = uniformPicture(size, glm::vec3(5.0f));
-  const SsgiInputs inputs{
-      .radiance = lit.texture.id(), .environmentAbove = kWhite, .environmentBelow = kWhite};
+  const SsgiInputs inputs = inAWhiteEnvironment(lit);
   EXPECT_THAT(render(gbuffer, {.radius = 0.0f, .samples = 16}, inputs).texels, testing::Each(1.0f));
 }
 
