@@ -24,21 +24,6 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr float kHuge = std::numeric_limits<float>::max();
 constexpr glm::vec3 kWhite(1.0f);
 
-LitPicture uniformPicture(glm::ivec2 size, glm::vec3 colour) {
-  return {size, [=](glm::ivec2) { return colour; }};
-}
-
-/// A lit picture in which every surface that faces `direction` has the colour `there`.
-LitPicture facingPicture(const SyntheticGBuffer& gbuffer, glm::vec3 direction, glm::vec3 there,
-                         glm::vec3 elsewhere) {
-  const glm::ivec2 size = gbuffer.frame().size;
-  return {
-      size, [&](glm::ivec2 pixel) {
-        const glm::vec3 normal(gbuffer.normals().at(static_cast<std::size_t>(pixel.y * size.x + pixel.x)));
-        return glm::dot(normal, direction) > 0.5f ? there : elsewhere;
-      }};
-}
-
 SsgiInputs inAWhiteEnvironment(const LitPicture& lit) {
   return {.radiance = lit.texture.id(), .environmentAbove = kWhite, .environmentBelow = kWhite};
 }

@@ -13,6 +13,20 @@ LitPicture::LitPicture(glm::ivec2 pictureSize, const std::function<glm::vec3(glm
   texture = gl::Texture2D(GL_RGBA32F, size, "test.lit", 1, texels.data());
 }
 
+LitPicture uniformPicture(glm::ivec2 size, glm::vec3 colour) {
+  return {size, [=](glm::ivec2) { return colour; }};
+}
+
+LitPicture facingPicture(const SyntheticGBuffer& gbuffer, glm::vec3 direction, glm::vec3 there,
+                         glm::vec3 elsewhere) {
+  const glm::ivec2 size = gbuffer.frame().size;
+  return {
+      size, [&](glm::ivec2 pixel) {
+        const glm::vec3 normal(gbuffer.normals().at(static_cast<std::size_t>(pixel.y * size.x + pixel.x)));
+        return glm::dot(normal, direction) > 0.5f ? there : elsewhere;
+      }};
+}
+
 SsgiReference::SsgiReference(const SyntheticGBuffer& gbuffer, const LitPicture& lit,
                              const SsgiSettings& settings, const SsgiInputs& inputs)
     : hemisphere_(gbuffer, {.radius = static_cast<double>(settings.radius),

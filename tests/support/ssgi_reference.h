@@ -16,6 +16,12 @@ struct LitPicture {
   gl::Texture2D texture;
 };
 
+LitPicture uniformPicture(glm::ivec2 size, glm::vec3 colour);
+
+/// A lit picture in which every surface that faces `direction` has the colour `there`.
+LitPicture facingPicture(const SyntheticGBuffer& gbuffer, glm::vec3 direction, glm::vec3 there,
+                         glm::vec3 elsewhere);
+
 /// Radiance that arrives at one pixel of the full resolution before any filter, in double precision: what
 /// shaders/effects/ssgi.glsl says, written anew. Background gives 0.
 class SsgiReference {
