@@ -253,7 +253,7 @@ void MultiResolution::Implementation::reloadShaders() {
   hasPicture = false;  // there are no masks to show
 }
 
-MultiResolution::MultiResolution(Options options) {
+MultiResolution::MultiResolution(const Options& options) {
   const gl::StateGuard guard(gl::StateGuard::countViewports());
   implementation_ = std::make_unique<Implementation>(options);
 }

@@ -34,8 +34,10 @@ enum class DebugView {
 class MultiResolution {
  public:
   /// Throws std::runtime_error if the driver rejects a shader.
-  explicit MultiResolution(Options options = {});
+  explicit MultiResolution(const Options& options = {});
   ~MultiResolution();
+  MultiResolution(const MultiResolution&) = delete;
+  MultiResolution& operator=(const MultiResolution&) = delete;
   MultiResolution(MultiResolution&&) noexcept;
   MultiResolution& operator=(MultiResolution&&) noexcept;
 

@@ -67,6 +67,7 @@ class PictureMaker {
     const GBufferTextures& gbuffer =
         renderer_.drawGeometry(scene.cameras.at(*options.view.camera), options.view.size);
     frame_ = frameOf(renderer_, gbuffer, options.view.size);
+    inputs_ = drawInputs(renderer_, options.picture.settings);
     if (options.hasEffect()) effect_ = makeInstance(EffectInstance::Coverage::unmeasured);
   }
 
@@ -97,7 +98,7 @@ class PictureMaker {
   [[nodiscard]] std::unique_ptr<EffectInstance> makeInstance(EffectInstance::Coverage coverage) const {
     const PictureSettings& settings = options_.picture.settings;
     auto instance = std::make_unique<EffectInstance>(settings, settings.technique, coverage);
-    instance->prepare(renderer_);
+    instance->setInputs(inputs_);
     return instance;
   }
 
@@ -134,6 +135,7 @@ class PictureMaker {
   Renderer renderer_;
   bool softwareRasterizer_;
   mres::Frame frame_;
+  EffectInputs inputs_;
   std::unique_ptr<EffectInstance> effect_;
   GLuint effectTexture_ = 0;  // of the last renderEffect(); none lights without it
 };

@@ -45,15 +45,16 @@ void Comparison::render(const ComparisonRequest& request, Measurement& measureme
 Measurement Comparison::measure(const ComparisonRequest& request, const WorkObserver& observe) {
   const GBufferTextures& gbuffer = renderer_.drawGeometry(scene_.cameras.at(request.camera), request.size);
   frame_ = frameOf(renderer_, gbuffer, request.size);
-  for (EffectInstance* instance : {&technique_, &reference_, &inspected_}) instance->prepare(renderer_);
+  const EffectInputs inputs = drawInputs(renderer_, settings_);
+  for (EffectInstance* instance : {&technique_, &reference_, &inspected_}) instance->setInputs(inputs);
 
   Measurement measurement = describePicture(scene_, settings_, request.camera, request.size);
   measurement.reference = nameOf(kReference);
   measurement.warnings = warnings();
   render(request, measurement, observe);
   observe(kShareOfTiming, "comparing the pictures");
-  techniqueValues_ = readTexture(techniqueTexture_, request.size, 1);
-  referenceValues_ = readTexture(referenceTexture_, request.size, 1);
+  techniqueValues_ = readTexture(techniqueTexture_, request.size, technique_.channels());
+  referenceValues_ = readTexture(referenceTexture_, request.size, reference_.channels());
   measurement.error = compareImages(techniqueValues_, referenceValues_);
   observe(kShareOfTiming, "looking at each stage");
   inspect(inspected_, frame_, request.timing ? stageClockOf(softwareRasterizer_) : StageClock::off,

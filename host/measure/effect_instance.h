@@ -16,8 +16,10 @@ class EffectInstance {
 
   EffectInstance(const PictureSettings& settings, mres::Technique technique, Coverage coverage);
 
-  /// Before a frame whose geometry the renderer has drawn.
-  void prepare(const Renderer& renderer) { setInputs(*effect_, renderer); }
+  /// Before a frame's render().
+  void setInputs(const EffectInputs& inputs) { host::setInputs(*effect_, inputs); }
+
+  [[nodiscard]] int channels() const { return effect_->description().channels; }
 
   /// The texture of the effect's values.
   GLuint render(const mres::Frame& frame) { return multiResolution_.render(*effect_, frame); }

@@ -3,7 +3,7 @@
 namespace host {
 
 const std::vector<std::string>& effectNames() {
-  static const std::vector<std::string> kNames{kSsaoEffect, kSoftShadowEffect};
+  static const std::vector<std::string> kNames{kSsaoEffect, kSoftShadowEffect, kSsgiEffect};
   return kNames;
 }
 
@@ -19,21 +19,47 @@ std::string nameOf(mres::Technique technique) {
 std::unique_ptr<mres::Effect> makeEffect(const PictureSettings& settings) {
   if (settings.effect == kNoEffect) return nullptr;
   if (settings.effect == kSoftShadowEffect) return std::make_unique<mres::SoftShadows>(settings.softShadows);
+  if (settings.effect == kSsgiEffect) return std::make_unique<mres::Ssgi>(settings.ssgi);
   return std::make_unique<mres::Ssao>(settings.ssao);
 }
 
-void setInputs(mres::Effect& effect, const Renderer& renderer) {
-  if (auto* softShadows = dynamic_cast<mres::SoftShadows*>(&effect)) {
-    const SunShadow sun = renderer.sunShadow();
-    softShadows->setInputs({.shadowMap = sun.map,
-                            .mapSize = sun.size,
-                            .shadowFromView = sun.shadowFromView,
-                            .light = glm::vec4(sun.directionToSun, 0.0f)});
-  }
+namespace {
+
+mres::ShadowInputs shadowInputs(const Renderer& renderer) {
+  const SunShadow sun = renderer.sunShadow();
+  return {.shadowMap = sun.map,
+          .mapSize = sun.size,
+          .shadowFromView = sun.shadowFromView,
+          .light = glm::vec4(sun.directionToSun, 0.0f)};
+}
+
+/// Light bounces off the picture as it is lit without the effect.
+mres::SsgiInputs ssgiInputs(Renderer& renderer) {
+  const AmbientLight ambient = renderer.ambient();
+  return {.radiance = renderer.drawLighting({}),
+          .radianceScale = renderer.exposure(),
+          .environmentAbove = ambient.above * renderer.exposure(),
+          .environmentBelow = ambient.below * renderer.exposure(),
+          .up = glm::normalize(glm::mat3(renderer.view())[1])};
+}
+
+}  // namespace
+
+EffectInputs drawInputs(Renderer& renderer, const PictureSettings& settings) {
+  EffectInputs inputs;
+  if (settings.effect == kSoftShadowEffect) inputs.shadow = shadowInputs(renderer);
+  if (settings.effect == kSsgiEffect) inputs.ssgi = ssgiInputs(renderer);
+  return inputs;
+}
+
+void setInputs(mres::Effect& effect, const EffectInputs& inputs) {
+  if (auto* softShadows = dynamic_cast<mres::SoftShadows*>(&effect)) softShadows->setInputs(inputs.shadow);
+  if (auto* ssgi = dynamic_cast<mres::Ssgi*>(&effect)) ssgi->setInputs(inputs.ssgi);
 }
 
 ScreenEffects screenEffects(const PictureSettings& settings, GLuint values) {
   if (settings.effect == kSoftShadowEffect) return {.sunVisibility = values};
+  if (settings.effect == kSsgiEffect) return {.indirect = values};
   return {.accessibility = values};
 }
 

@@ -6,6 +6,7 @@
 
 #include "effects/soft_shadows/soft_shadows.h"
 #include "effects/ssao/ssao.h"
+#include "effects/ssgi/ssgi.h"
 #include "host/renderer/renderer.h"
 #include "mres/mres.h"
 
@@ -18,11 +19,13 @@ struct PictureSettings {
   mres::MaskSettings mask;
   mres::SsaoSettings ssao;
   mres::SoftShadowSettings softShadows;
+  mres::SsgiSettings ssgi;
   RendererSettings renderer;
 };
 
 inline constexpr const char* kSsaoEffect = "ssao";
 inline constexpr const char* kSoftShadowEffect = "ssm";
+inline constexpr const char* kSsgiEffect = "ssgi";
 inline constexpr const char* kNoEffect = "none";
 
 const std::vector<std::string>& effectNames();
@@ -32,8 +35,15 @@ std::string nameOf(mres::Technique technique);
 /// The effect that the settings name; nullptr for kNoEffect. Needs a current OpenGL context.
 std::unique_ptr<mres::Effect> makeEffect(const PictureSettings& settings);
 
-/// Hands an effect what it reads of the renderer's last drawGeometry() besides the frame itself.
-void setInputs(mres::Effect& effect, const Renderer& renderer);
+/// What effects read of a frame besides the G-buffer.
+struct EffectInputs {
+  mres::ShadowInputs shadow;
+  mres::SsgiInputs ssgi;
+};
+
+/// After the renderer's drawGeometry(): draws what the effect that the settings name reads.
+EffectInputs drawInputs(Renderer& renderer, const PictureSettings& settings);
+void setInputs(mres::Effect& effect, const EffectInputs& inputs);
 
 /// Where the lighting takes the values of the effect that the settings name.
 ScreenEffects screenEffects(const PictureSettings& settings, GLuint values);
@@ -43,6 +53,8 @@ template <class Visitor>
 void visitEffect(PictureSettings& settings, Visitor&& visitor) {
   if (settings.effect == kSoftShadowEffect)
     visitor(settings.softShadows);
+  else if (settings.effect == kSsgiEffect)
+    visitor(settings.ssgi);
   else
     visitor(settings.ssao);
 }

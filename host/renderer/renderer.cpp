@@ -73,7 +73,7 @@ struct Renderer::Implementation {
     viewBlock.bind(bindings::kView);
     illumination.bind();
     const GBufferTextures& gbuffer = gbufferPass.textures();
-    lightingPass.draw(gbuffer, effects, size, profiler);
+    lightingPass.draw(gbuffer, {effects, exposure}, size, profiler);
     transparentPass.draw(gpuScene, cameraView, lightingPass.radiance(), gbuffer.depth, profiler);
   }
 
@@ -124,6 +124,10 @@ const glm::mat4& Renderer::projection() const {
 
 SunShadow Renderer::sunShadow() const {
   return implementation_->illumination.shadow().shadow(implementation_->cameraView);
+}
+
+AmbientLight Renderer::ambient() const {
+  return implementation_->illumination.ambient();
 }
 
 std::size_t Renderer::lightsLeftOut() const {

@@ -60,6 +60,8 @@ class Renderer {
   /// The shadow map of the last drawGeometry().
   [[nodiscard]] SunShadow sunShadow() const;
 
+  [[nodiscard]] AmbientLight ambient() const;
+
   /// Lights that are not drawn, the dimmest ones of a scene that has more than the shaders take.
   [[nodiscard]] std::size_t lightsLeftOut() const;
 

@@ -9,6 +9,13 @@ namespace host {
 struct ScreenEffects {
   GLuint accessibility = 0;  ///< red 0..1 multiplies the ambient light
   GLuint sunVisibility = 0;  ///< red 0..1 multiplies the sun's light, in place of the renderer's own shadows
+  GLuint indirect = 0;       ///< exposed irradiance / pi, in place of the diffuse part of the ambient light
+};
+
+/// Ambient radiance from straight above and below; in between it is interpolated by the vertical direction.
+struct AmbientLight {
+  glm::vec3 above{0.0f};
+  glm::vec3 below{0.0f};
 };
 
 /// The sun's shadow map, for effects that filter it themselves.

@@ -32,6 +32,7 @@ class Object {
   GLuint id_ = 0;
 };
 
+// NOLINTBEGIN(bugprone-macro-parentheses): a name that is declared cannot stand in parentheses
 #define MRES_GL_OBJECT(Name, Generate, Delete)         \
   struct Name##Traits {                                \
     static GLuint create() {                           \
@@ -42,6 +43,7 @@ class Object {
     static void destroy(GLuint id) { Delete(1, &id); } \
   };                                                   \
   using Name = Object<Name##Traits>
+// NOLINTEND(bugprone-macro-parentheses)
 
 MRES_GL_OBJECT(TextureName, glGenTextures, glDeleteTextures);
 MRES_GL_OBJECT(BufferName, glGenBuffers, glDeleteBuffers);

@@ -14,6 +14,7 @@ class PerLevel {
   using value_type = Value;
   using const_iterator = const Value*;
 
+  // NOLINTNEXTLINE(readability-identifier-naming): as the standard containers have it
   void push_back(const Value& value) { values_.at(size_++) = value; }
 
   [[nodiscard]] std::size_t size() const { return size_; }

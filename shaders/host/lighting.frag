@@ -11,6 +11,9 @@ uniform sampler2D materialTexture;
 uniform sampler2D emissiveTexture;
 uniform sampler2D accessibilityTexture;
 uniform sampler2D sunVisibilityTexture;
+uniform sampler2D indirectTexture;
+uniform bool hasIndirect;       // else diffuse ambient light is dimmed by the accessibility
+uniform float indirectScale;    // takes the exposure back
 uniform bool hasSunVisibility;  // else the sun's shadows are looked up here
 
 out vec4 outRadiance;
@@ -36,5 +39,7 @@ void main() {
     point.metallic = material.g;
     point.sunVisibility = hasSunVisibility ? texelFetch(sunVisibilityTexture, pixel, 0).r : kLookUpShadow;
     float accessibility = texture(accessibilityTexture, uv).r;  // one white texel where there is no occlusion
+    point.indirect = hasIndirect ? texelFetch(indirectTexture, pixel, 0).rgb * indirectScale
+                                 : ambientRadiance(point.normal) * accessibility;
     outRadiance = vec4(shade(point, texelFetch(emissiveTexture, pixel, 0).rgb, accessibility), 1.0);
 }

@@ -13,6 +13,7 @@ struct ShadingPoint {
     float roughness;
     float metallic;
     float sunVisibility;  // 0..1, or kLookUpShadow
+    vec3 indirect;        // irradiance / pi by everything but the lights
 };
 
 const float kLookUpShadow = -1.0;
@@ -36,14 +37,14 @@ vec3 punctualLight(ShadingPoint p, Reflection reflection) {
     return sum;
 }
 
-// Even light from each side: reflected diffusely, and in highlights from where the mirror direction looks.
-vec3 ambientLight(ShadingPoint p, Reflection reflection) {
+// Light from everywhere: reflected diffusely, and in highlights from where the mirror direction looks.
+vec3 ambientLight(ShadingPoint p, Reflection reflection, float accessibility) {
     vec3 mirrorDirection = normalize(mix(reflect(-p.toViewer, p.normal), p.normal, p.roughness * p.roughness));
-    return reflection.diffuse * ambientRadiance(p.normal) + reflection.mirrored * ambientRadiance(mirrorDirection);
+    return reflection.diffuse * p.indirect + reflection.mirrored * ambientRadiance(mirrorDirection) * accessibility;
 }
 
 vec3 shade(ShadingPoint p, vec3 emissive, float accessibility) {
     Reflection reflection = reflectionOf(p.albedo, p.metallic, p.roughness, dot(p.normal, p.toViewer));
-    return emissive + ambientLight(p, reflection) * accessibility + sunLight(p, reflection) +
+    return emissive + ambientLight(p, reflection, accessibility) + sunLight(p, reflection) +
            punctualLight(p, reflection);
 }

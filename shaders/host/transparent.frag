@@ -22,5 +22,6 @@ void main() {
     point.roughness = surface.roughness;
     point.metallic = surface.metallic;
     point.sunVisibility = kLookUpShadow;
+    point.indirect = ambientRadiance(point.normal);
     outRadiance = vec4(shade(point, surface.emissive, 1.0), surface.alpha);
 }

@@ -81,8 +81,8 @@ TEST_F(BadInput, UnknownNamesSuggestNearOnes) {
               HasSubstr("did you mean quick?"));
 }
 
-TEST_F(BadInput, EffectsToComeAreAnnounced) {
-  EXPECT_THAT(compareFailure({"--effect", "ssm"}, 2), HasSubstr("later version"));
+TEST_F(BadInput, EffectsThatCannotBeCompared) {
+  EXPECT_THAT(compareFailure({"--effect", "ssr"}, 2), HasSubstr("no effect 'ssr'"));
   EXPECT_THAT(compareFailure({"--effect", "none"}, 2), HasSubstr("nothing to compare"));
 }
 

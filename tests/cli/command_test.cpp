@@ -97,7 +97,7 @@ TEST_F(Command, InfoAsJson) {
   EXPECT_FALSE(info["machine"]["renderer"].get<std::string>().empty());
   EXPECT_EQ(info["scenes"], json({"office", "hall", "breakfast"}));
   EXPECT_EQ(info["techniques"], json({"full", "mres"}));
-  EXPECT_EQ(info["effects"], json({"ssao"}));
+  EXPECT_EQ(info["effects"], json({"ssao", "ssm", "ssgi"}));
   EXPECT_GE(info["limits"]["texture_size"], 1024);
 }
 

@@ -33,13 +33,15 @@ constexpr const char* kFiles[] = {
     "made_here/image_formats/image_formats.gltf",
 };
 
-FloatImage picture(const Scene& scene) {
+FloatImage picture(const Scene& scene, const PictureSettings& settings) {
   constexpr glm::ivec2 kSize(33, 19);
   mres::gl::Profiler profiler;
   Renderer renderer(scene, profiler);
   const GBufferTextures& gbuffer = renderer.drawGeometry(scene.cameras.front(), kSize);
-  EffectInstance instance({}, mres::Technique::multiResolution, EffectInstance::Coverage::unmeasured);
-  return readTexture(renderer.drawLighting(instance.render(frameOf(renderer, gbuffer, kSize))), kSize, 3);
+  EffectInstance instance(settings, mres::Technique::multiResolution, EffectInstance::Coverage::unmeasured);
+  instance.setInputs(drawInputs(renderer, settings));
+  const GLuint values = instance.render(frameOf(renderer, gbuffer, kSize));
+  return readTexture(renderer.drawLighting(screenEffects(settings, values)), kSize, 3);
 }
 
 TEST(EdgeScenes, AreDrawn) {
@@ -48,8 +50,12 @@ TEST(EdgeScenes, AreDrawn) {
   GlContext context(GlContext::Debug::on);
   for (const char* file : kFiles) {
     SCOPED_TRACE(file);
-    for (const float value : picture(loadScene((edgeFolder() / file).string())).pixels)
-      ASSERT_TRUE(std::isfinite(value));
+    const Scene scene = loadScene((edgeFolder() / file).string());
+    for (const std::string& effect : effectNames()) {
+      PictureSettings settings;
+      settings.effect = effect;
+      for (const float value : picture(scene, settings).pixels) ASSERT_TRUE(std::isfinite(value)) << effect;
+    }
     ASSERT_EQ(context.takeErrors(), std::vector<std::string>());
   }
 }

@@ -218,7 +218,7 @@ void captureViewports(GlState& state) {
                                       std::pair{"GL_SCISSOR_BOX", static_cast<GLenum>(GL_SCISSOR_BOX)},
                                       std::pair{"GL_DEPTH_RANGE", static_cast<GLenum>(GL_DEPTH_RANGE)}}) {
       capture(state, fmt::format("{}[{}]", name, i),
-              [&](double* values) { glGetDoublei_v(value, i, values); });
+              [value = value, i](double* values) { glGetDoublei_v(value, i, values); });
     }
   }
 }

@@ -59,7 +59,7 @@ glm::mat4 perspective(glm::ivec2 size, float verticalDegrees) {
 
 glm::ivec2 pixelOf(const glm::mat4& projection, glm::ivec2 size, glm::dvec3 position) {
   const glm::dvec4 clip = glm::dmat4(projection) * glm::dvec4(position, 1.0);
-  return glm::ivec2((glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(size));
+  return {(glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(size)};
 }
 
 }  // namespace mres::test

@@ -24,7 +24,7 @@ class GltfHierarchy : public testing::Test {
   [[nodiscard]] glm::vec3 corner() const {
     const host::Scene scene = load();
     EXPECT_EQ(scene.instances.size(), 1U);
-    return glm::vec3(scene.instances.at(0).transform * glm::vec4(1, 1, 0, 1));
+    return {scene.instances.at(0).transform * glm::vec4(1, 1, 0, 1)};
   }
 
   TemporaryFolder folder_;

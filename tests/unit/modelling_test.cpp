@@ -12,7 +12,6 @@
 namespace host::modelling {
 namespace {
 
-using test::areaOf;
 using test::faultOf;
 using test::leakOf;
 using test::uvAreaRatio;

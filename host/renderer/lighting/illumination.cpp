@@ -7,7 +7,9 @@ namespace host {
 
 Illumination::Illumination(const Scene& scene, const mres::gl::ShaderLibrary& library, int shadowMapSize)
     : lights_(scene.lights), shadow_(library, lights_.sun(), shadowMapSize) {
-  environment_.upload(environmentParams(scene));
+  const mres::params::EnvironmentParams environment = environmentParams(scene);
+  ambient_ = {glm::vec3(environment.ambientAbove), glm::vec3(environment.ambientBelow)};
+  environment_.upload(environment);
 }
 
 void Illumination::update(const GpuScene& scene, const Camera& camera, const CameraView& view, float aspect,

@@ -22,11 +22,13 @@ class Illumination {
   void bind() const;
 
   [[nodiscard]] const LightSet& lights() const { return lights_; }
+  [[nodiscard]] const AmbientLight& ambient() const { return ambient_; }
   [[nodiscard]] const ShadowPass& shadow() const { return shadow_; }
 
  private:
   LightSet lights_;
   ShadowPass shadow_;
+  AmbientLight ambient_;
   mres::gl::UniformBuffer<mres::params::EnvironmentParams> environment_;
   mres::gl::UniformBuffer<mres::params::LightParams> others_;
 };

@@ -9,15 +9,17 @@ namespace host {
 namespace {
 
 /// In the order of their units.
-constexpr std::array kScreenTextures = {"depthTexture",           "albedoTexture",       "normalTexture",
-                                        "geometricNormalTexture", "materialTexture",     "emissiveTexture",
-                                        "accessibilityTexture",   "sunVisibilityTexture"};
+constexpr std::array kScreenTextures = {"depthTexture",           "albedoTexture",        "normalTexture",
+                                        "geometricNormalTexture", "materialTexture",      "emissiveTexture",
+                                        "accessibilityTexture",   "sunVisibilityTexture", "indirectTexture"};
 
 }  // namespace
 
 LightingPass::LightingPass(const mres::gl::ShaderLibrary& library)
     : program_(library, {"common/full_screen.vert", "host/lighting.frag", ""}),
       hasSunVisibility_(program_.uniformLocation("hasSunVisibility")),
+      hasIndirect_(program_.uniformLocation("hasIndirect")),
+      indirectScale_(program_.uniformLocation("indirectScale")),
       nearest_(mres::gl::makeSampler(mres::gl::Filter::nearest)) {
   glUseProgram(program_.id());
   Illumination::connect(program_);
@@ -26,7 +28,7 @@ LightingPass::LightingPass(const mres::gl::ShaderLibrary& library)
   for (const char* name : kScreenTextures) program_.setTextureUnit(name, unit++);
 }
 
-void LightingPass::draw(const GBufferTextures& gbuffer, const ScreenEffects& effects, glm::ivec2 size,
+void LightingPass::draw(const GBufferTextures& gbuffer, const LightingInputs& inputs, glm::ivec2 size,
                         mres::gl::Profiler& profiler) {
   const mres::gl::Scope scope(profiler, "host.lighting");
   if (!target_ || target_.size() != size) {
@@ -36,10 +38,13 @@ void LightingPass::draw(const GBufferTextures& gbuffer, const ScreenEffects& eff
   target_.bind();
   apply(RenderState{});
   glUseProgram(program_.id());
+  const ScreenEffects& effects = inputs.effects;
   glUniform1i(hasSunVisibility_, effects.sunVisibility != 0 ? 1 : 0);
-  const std::array textures = {gbuffer.depth,           gbuffer.albedo,       gbuffer.normal,
-                               gbuffer.geometricNormal, gbuffer.material,     gbuffer.emissive,
-                               effects.accessibility,   effects.sunVisibility};
+  glUniform1i(hasIndirect_, effects.indirect != 0 ? 1 : 0);
+  glUniform1f(indirectScale_, 1.0f / inputs.exposure);
+  const std::array textures = {gbuffer.depth,           gbuffer.albedo,        gbuffer.normal,
+                               gbuffer.geometricNormal, gbuffer.material,      gbuffer.emissive,
+                               effects.accessibility,   effects.sunVisibility, effects.indirect};
   static_assert(std::tuple_size_v<decltype(textures)> == kScreenTextures.size());
   GLuint unit = bindings::kFirstScreenTexture;
   for (const GLuint texture : textures) mres::gl::bindTexture(unit++, texture, nearest_);

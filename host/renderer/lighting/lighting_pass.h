@@ -9,13 +9,19 @@
 
 namespace host {
 
+/// What the effects add, and the exposure that their radiances were multiplied by.
+struct LightingInputs {
+  ScreenEffects effects;
+  float exposure = 1.0f;
+};
+
 /// Lights the G-buffer in one full-screen pass.
 class LightingPass {
  public:
   explicit LightingPass(const mres::gl::ShaderLibrary& library);
 
   /// Expects view and illumination to be bound, and an accessibility.
-  void draw(const GBufferTextures& gbuffer, const ScreenEffects& effects, glm::ivec2 size,
+  void draw(const GBufferTextures& gbuffer, const LightingInputs& inputs, glm::ivec2 size,
             mres::gl::Profiler& profiler);
 
   /// RGBA16F, linear radiance.
@@ -25,6 +31,8 @@ class LightingPass {
  private:
   mres::gl::Program program_;
   GLint hasSunVisibility_;
+  GLint hasIndirect_;
+  GLint indirectScale_;
   mres::gl::RenderTarget target_;
   mres::gl::SamplerName nearest_;
   mres::gl::FullScreenTriangle triangle_;

@@ -10,7 +10,7 @@ constexpr GLuint kFirstInstanceAttribute = 4;
 constexpr GLuint kInstanceRows = 3;
 
 const void* bufferOffset(std::size_t bytes) {
-  return reinterpret_cast<const void*>(bytes);
+  return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr): OpenGL wants it so
 }
 
 Bounds boundsOfMesh(const Mesh& mesh) {

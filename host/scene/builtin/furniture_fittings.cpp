@@ -133,8 +133,8 @@ Piece wallClock() {
     modelling::transformFrom(steel, first, turned(degrees, {0, 0, 1}));
   };
   for (int hour = 0; hour < 12; hour += 3) {
-    constexpr float width = 0.004f;
-    hand(30.0f * static_cast<float>(hour), {-width, 0.108f}, {width, 0.126f}, 0.0205f);
+    constexpr float kWidth = 0.004f;
+    hand(30.0f * static_cast<float>(hour), {-kWidth, 0.108f}, {kWidth, 0.126f}, 0.0205f);
   }
   hand(-305.0f, {-0.005f, -0.02f}, {0.005f, 0.075f}, 0.0235f);  // ten past ten
   hand(-62.0f, {-0.0035f, -0.025f}, {0.0035f, 0.112f}, 0.0265f);

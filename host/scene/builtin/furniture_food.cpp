@@ -116,7 +116,7 @@ Piece foldedNapkin() {
   // Folded in four: layers that don't quite meet at their edges.
   constexpr int kLayers = 3;
   for (int i = 0; i < kLayers; ++i) {
-    const float layer = static_cast<float>(i);
+    const auto layer = static_cast<float>(i);
     const auto fold = [&](float u, float v) {
       const glm::vec3 radii(0.052f - 0.0015f * layer, 0.0021f, 0.098f - 0.003f * layer);
       glm::vec3 p = superellipsoid(radii, {0.16f, 0.6f}, u, v);
@@ -186,6 +186,7 @@ Piece breadBasket() {
       strand.emplace_back(r * std::cos(turn), 0.063f + 0.0035f * std::sin(twist), -r * std::sin(turn));
     }
     std::vector<TubePoint> points;
+    points.reserve(strand.size() + 1);
     for (const glm::vec3 p : strand) points.push_back({p, 0.0042f});
     points.push_back(points.front());
     addTube(piece.part(Finish::wicker), points, {6, kSteps});

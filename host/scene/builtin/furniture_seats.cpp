@@ -23,6 +23,7 @@ void addTurnedLeg(Mesh& mesh, glm::vec3 foot, float height) {
       {0.021f, 0.296f},      {0.023f, 0.304f}, {0.021f, 0.312f}, {0.014f, 0.321f}, {0.019f, 0.331f},
       {0.02f, 0.338f},       {0.019f, 0.345f}, {0.016f, 0.352f}, {0.02f, 0.37f},   {0.02f, 0.44f}};
   std::vector<glm::vec2> scaled;
+  scaled.reserve(std::size(profile) + 1);
   for (const glm::vec2 point : profile) scaled.emplace_back(point.x, point.y * height / 0.44f);
   scaled.emplace_back(0.0f, height);
   modelling::addLathe(mesh, foot, scaled, kTurnedSegments);

@@ -6,6 +6,7 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtx/quaternion.hpp>
+#include <ranges>
 
 namespace host::furniture {
 
@@ -103,8 +104,7 @@ void addTube(Mesh& mesh, std::span<const TubePoint> points, glm::ivec2 segments)
 void addMoulding(Mesh& mesh, std::span<const glm::vec2> profile, std::span<const glm::vec3> path, Ends ends) {
   // The wall is to the right of the way, so the section runs up behind the moulding and down its face.
   std::vector<glm::vec2> section{{kSunk, profile.front().y}, {kSunk, profile.back().y}};
-  for (auto point = profile.rbegin(); point != profile.rend(); ++point)
-    section.emplace_back(-point->x, point->y);
+  for (const glm::vec2 point : std::views::reverse(profile)) section.emplace_back(-point.x, point.y);
   modelling::addSweep(mesh, section, path, ends == Ends::joined);
 }
 

@@ -35,6 +35,7 @@ void addShell(Interior& room) {
   const Wall north = wallOf(kRoom, Side::north);
   const Wall south = wallOf(kRoom, Side::south);
   std::vector<Opening> windows;
+  windows.reserve(std::size(kWindowX));
   for (const float x : kWindowX) windows.push_back(openingAt(north, {x, kSill, -kSouth}, kWindow));
   const std::array<Opening, 1> door{
       openingAt(south, {kDoorX, 0.0f, kSouth}, kDoor + glm::vec2(0.02f, 0.01f))};

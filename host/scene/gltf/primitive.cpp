@@ -72,9 +72,8 @@ Mesh PrimitiveReader::read(const Material& material, int uvSet) {
     addFlatNormals(mesh);
   }
   // glTF 2.0, section 3.7.2.1: tangents without normals are to be ignored.
-  if (attributes.tangents && attributes.normals) {
-    repairTangents(mesh);
-  } else if (material.normalTexture.texture >= 0) {
+  const bool hasTangents = attributes.tangents && attributes.normals;
+  if (!hasTangents && material.normalTexture.texture >= 0) {
     addTangents(mesh, material.normalTexture.uvTransform);
   } else {
     repairTangents(mesh);
