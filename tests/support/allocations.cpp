@@ -9,10 +9,15 @@ thread_local std::size_t allocationsOfThisThread = 0;
 
 }  // namespace
 
-// The other forms of operator new call this one, those of operator delete the one below.
-void* operator new(std::size_t size) {
+// The array forms call these. All that the deletes below may be given must come from malloc(), or the address
+// sanitizer takes them for mismatched.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   ++allocationsOfThisThread;
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  return std::malloc(size == 0 ? 1 : size);
+}
+
+void* operator new(std::size_t size) {
+  if (void* memory = operator new(size, std::nothrow)) return memory;
   throw std::bad_alloc();
 }
 
