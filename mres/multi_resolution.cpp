@@ -20,6 +20,7 @@
 #include "mres/level/frame_textures.h"
 #include "mres/level/pass_context.h"
 #include "mres/mask/edge_pass.h"
+#include "mres/mask/importance_pass.h"
 #include "mres/mask/mask_pass.h"
 #include "mres/mask/preview_pass.h"
 #include "mres/mask/zone_pass.h"
@@ -35,17 +36,19 @@ namespace {
 /// The passes that all effects share; compiled together, so that a reload replaces all or none.
 struct SharedPasses {
   explicit SharedPasses(const gl::ShaderLibrary& library)
-      : pyramid(library), edges(library), masks(library), zones(library) {}
+      : pyramid(library), edges(library), importance(library), masks(library), zones(library) {}
 
   void fill(float value) const {
     pyramid.fill(value);
     edges.fill(value);
+    importance.fill(value);
     masks.fill(value);
     zones.fill(value);
   }
 
   DepthPyramid pyramid;
   EdgePass edges;
+  ImportancePass importance;
   MaskPass masks;
   ZonePass zones;
 };
@@ -86,7 +89,8 @@ struct MultiResolution::Implementation {
   void uploadLevels(EffectPass& effect, glm::ivec2 fullSize);
   [[nodiscard]] bool isCoarsest(std::size_t planned) const { return planned + 1 == plan.levels.size(); }
   ZoneInputs zoneOf(EffectPass& effect, std::size_t planned);
-  void drawMasks(EffectPasses& passes, const params::FrameParams& params, DepthFormat depth);
+  void drawMasks(EffectPasses& passes, const Frame& frame, const params::FrameParams& params,
+                 DepthFormat depth);
   void renderLevels(EffectPasses& passes);
   void drawEffect(EffectPasses& passes, std::size_t planned);
   void fillReport(EffectPasses& passes);
@@ -159,7 +163,7 @@ GLuint MultiResolution::Implementation::render(Effect& effect, const Frame& fram
   if (effect.description().readsPyramid) shared->pyramid.draw(context, frame.size);
   effect.bind();
   edges = {};
-  if (plan.levels.size() > 1) drawMasks(passes, params, depth);
+  if (plan.levels.size() > 1) drawMasks(passes, frame, params, depth);
   renderLevels(passes);
   context.profiler.endFrame();
   fillReport(passes);
@@ -167,8 +171,8 @@ GLuint MultiResolution::Implementation::render(Effect& effect, const Frame& fram
   return passes.effect.targets(plan.levels.front().index).composed().color().id();
 }
 
-void MultiResolution::Implementation::drawMasks(EffectPasses& passes, const params::FrameParams& params,
-                                                DepthFormat depth) {
+void MultiResolution::Implementation::drawMasks(EffectPasses& passes, const Frame& frame,
+                                                const params::FrameParams& params, DepthFormat depth) {
   const bool wantsGeometry = !passes.preview || settings.mask.geometryAlways;
   if (wantsGeometry) {
     shared->edges.draw(context, settings.mask, params, depth);
@@ -178,7 +182,12 @@ void MultiResolution::Implementation::drawMasks(EffectPasses& passes, const para
     passes.preview.draw(context, settings.mask, params.size, edges.geometry);
     edges.effect = &passes.preview.edges();
   }
-  shared->masks.draw(context, passes.preview ? *edges.effect : *edges.geometry, plan);
+  const gl::Texture2D* source = passes.preview ? edges.effect : edges.geometry;
+  if (frame.importance != 0) {
+    shared->importance.draw(context, settings.mask.combination, *source, frame.importance, frame.size);
+    source = &shared->importance.edges();
+  }
+  shared->masks.draw(context, *source, plan);
 }
 
 void MultiResolution::Implementation::renderLevels(EffectPasses& passes) {
@@ -217,7 +226,8 @@ void MultiResolution::Implementation::fillReport(EffectPasses& passes) {
   report.skipped.assign(plan.skipped.begin(), plan.skipped.end());
   report.stages = context.profiler.stages();
   report.bytes = passes.effect.bytes() + passes.preview.bytes() + shared->pyramid.bytes() +
-                 shared->edges.bytes() + shared->masks.bytes() + shared->zones.bytes();
+                 shared->edges.bytes() + shared->importance.bytes() + shared->masks.bytes() +
+                 shared->zones.bytes();
 }
 
 GLuint MultiResolution::Implementation::debugView(DebugView view) {

@@ -16,6 +16,12 @@ enum class Technique {
   multiResolution  ///< the effect at the resolution that each pixel needs
 };
 
+/// How Frame::importance and the edges make one mask.
+enum MaskCombination : int {
+  kCombineByMaximum,  ///< refine where either says
+  kCombineByMinimum   ///< refine only where both say
+};
+
 /// Where a level is refined. Edge thresholds are on the surface, not on pixels, so that they mean the same at
 /// every resolution and field of view.
 struct MaskSettings {
@@ -23,6 +29,7 @@ struct MaskSettings {
   float depthThreshold = 0.05f;   ///< metres, [0, 100]. Larger steps in depth, off a plane, are an edge.
   float refineThreshold = 0.05f;  ///< [0, 1] of the effect's range. Least gain worth refining; 0: any.
   bool geometryAlways = false;  ///< Refine at geometry's edges even for effects that find edges of their own.
+  MaskCombination combination = kCombineByMaximum;  ///< of the edges with Frame::importance, if there is one
 };
 
 template <class Visitor>
@@ -41,6 +48,10 @@ void visit(MaskSettings& settings, Visitor&& visitor) {
       SettingInfo{
           "", 0.0, 1.0,
           "Refine at geometry's edges even for effects that find edges of their own, as soft shadows do."});
+  visitor(
+      "combination", settings.combination,
+      SettingInfo{"", kCombineByMaximum, kCombineByMinimum,
+                  "With an importance mask: 0 refines where it or the edges say so, 1 only where both do."});
 }
 
 /// Of a MultiResolution; may change from frame to frame.

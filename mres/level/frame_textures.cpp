@@ -44,12 +44,16 @@ bool bindsAsTexture2D(GLuint unit, GLuint texture, const gl::SamplerName& sample
   return false;
 }
 
-BoundTexture bindChecked(const char* member, GLuint unit, GLuint texture, const gl::SamplerName& sampler,
-                         glm::ivec2 size) {
+BoundTexture bindChecked(const char* member, GLuint unit, GLuint texture, const gl::SamplerName& sampler) {
   if (!bindsAsTexture2D(unit, texture, sampler)) {
     refuse(member, "must name a GL_TEXTURE_2D; " + std::to_string(texture) + " is none.");
   }
-  const BoundTexture bound;
+  return {};
+}
+
+BoundTexture bindChecked(const char* member, GLuint unit, GLuint texture, const gl::SamplerName& sampler,
+                         glm::ivec2 size) {
+  const BoundTexture bound = bindChecked(member, unit, texture, sampler);
   if (bound.size() != size) {
     refuse(member,
            "has " + inWords(bound.size()) + " texels, but Frame::size is " + inWords(size) + " pixels.");
@@ -61,9 +65,19 @@ bool isInteger(GLint type) {
   return type == GL_INT || type == GL_UNSIGNED_INT;
 }
 
+// The pass that reads it binds it anew: its unit is that of other textures, too.
+void checkImportance(const PassContext& context, GLuint texture) {
+  const BoundTexture importance = bindChecked("importance", kMaskUnit, texture, context.linear);
+  if (importance.parameter(GL_TEXTURE_RED_SIZE) == 0 ||
+      isInteger(importance.parameter(GL_TEXTURE_RED_TYPE))) {
+    refuse("importance", "must have a red channel of a format that is not an integer one.");
+  }
+}
+
 }  // namespace
 
 DepthFormat bindFrameTextures(const PassContext& context, const Frame& frame) {
+  if (frame.importance != 0) checkImportance(context, frame.importance);
   const BoundTexture normals =
       bindChecked("normals", kNormalUnit, frame.normals, context.nearest, frame.size);
   if (normals.parameter(GL_TEXTURE_BLUE_SIZE) == 0 || isInteger(normals.parameter(GL_TEXTURE_BLUE_TYPE))) {

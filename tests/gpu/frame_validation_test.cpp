@@ -121,6 +121,9 @@ TEST_F(FrameTextures, MustBeTexturesOfTwoDimensions) {
     bad = gbuffer_.frame();
     bad.normals = name;
     expectTexturesRefused(bad, "Frame::normals must name a GL_TEXTURE_2D");
+    bad = gbuffer_.frame();
+    bad.importance = name;
+    expectTexturesRefused(bad, "Frame::importance must name a GL_TEXTURE_2D");
   }
   EXPECT_EQ(glIsTexture(reserved), GL_FALSE) << "refusing a name must not make a texture of it";
   glDeleteTextures(1, &reserved);
@@ -151,6 +154,11 @@ TEST_F(FrameTextures, MustHaveFormatsThatShadersCanRead) {
   glBindTexture(GL_TEXTURE_2D, 0);
   bad.normals = integers.id();
   expectTexturesRefused(bad, "integer");
+  for (const GLuint name : {integers.id(), gbuffer_.frame().depth}) {
+    bad = gbuffer_.frame();
+    bad.importance = name;
+    expectTexturesRefused(bad, "Frame::importance must have a red channel");
+  }
 }
 
 TEST_F(FrameTextures, MayBeTheFirstUsedMipOfATexture) {

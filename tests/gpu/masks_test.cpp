@@ -172,11 +172,6 @@ TEST_F(Masks, MeanTheSameForCreasesAndSteps) {
 
 class Zones : public GlTest {};
 
-/// Renders each level's own number, so that the picture tells the levels apart.
-TestEffect levelNumbers(const LevelTable& levels) {
-  return TestEffect({.body = "return vec4(log2(float(levelStride)) / 4.0);", .levels = levels});
-}
-
 TEST_F(Zones, PixelsFarFromEdgesShowTheCoarsestLevelAndEdgesTheFinest) {
   const glm::ivec2 size(193, 129);
   const SyntheticGBuffer gbuffer(
@@ -185,7 +180,7 @@ TEST_F(Zones, PixelsFarFromEdgesShowTheCoarsestLevelAndEdgesTheFinest) {
   for (const unsigned levels : {0b1111u, 0b1101u, 0b1011u, 0b0011u, 0b1001u}) {
     MultiResolution multiResolution;
     refineAtEveryEdge(multiResolution);
-    TestEffect effect = levelNumbers(levelSubset(levels));
+    TestEffect effect(levelNumbers(levelSubset(levels)));
     const Image picture{size, 1, renderPicture(multiResolution, effect, gbuffer.frame())};
     const float coarsest = (levels & 8u) != 0 ? 0.75f : 0.25f;
     EXPECT_EQ(picture.at({0, 0}), coarsest) << levels;
@@ -199,7 +194,7 @@ TEST_F(Zones, WithoutEdgesAreNowhere) {
   const glm::ivec2 size(193, 129);
   const SyntheticGBuffer gbuffer(size, perspective(size), plane({0.3, 0.2, 1.0}, -6.0));
   MultiResolution multiResolution;
-  TestEffect effect = levelNumbers(kSsaoLevels);
+  TestEffect effect(levelNumbers(kSsaoLevels));
   for (const float value : renderPicture(multiResolution, effect, gbuffer.frame())) ASSERT_EQ(value, 0.75f);
 }
 

@@ -374,7 +374,8 @@ std::vector<SomeSettings> outOfRange(const SomeSettings& good) {
       int index = 0;
       visit(settings, [&](const char*, auto& value, const SettingInfo& info) {
         using Value = std::remove_reference_t<decltype(value)>;
-        if (index++ != changed || std::is_same_v<Value, bool>) return;  // a switch is always in range
+        constexpr bool kWhole = std::is_same_v<Value, bool> || std::is_enum_v<Value>;
+        if (index++ != changed || kWhole) return;  // what is a little beyond is inside or no value of it
         value = static_cast<Value>((beyond < 0.0 ? info.min : info.max) + beyond);
         bad.push_back(settings);
       });
@@ -392,6 +393,9 @@ TEST_F(MultiResolutionTest, RefusesSettingsOutOfRangeAndStaysUsable) {
     EXPECT_THAT([&] { multiResolution_.render(effect, gbuffer.frame()); },
                 refusesInASentence("MaskSettings::"));
   }
+  multiResolution_.settings().mask = {.combination = static_cast<MaskCombination>(2)};
+  EXPECT_THAT([&] { multiResolution_.render(effect, gbuffer.frame()); },
+              refusesInASentence("MaskSettings::combination must be 0 to 1."));
   multiResolution_.settings().mask = {};
   for (const float bad : {-1.0f, 64.5f, kNan}) {
     LevelTable levels = kSsaoLevels;

@@ -3,10 +3,18 @@
 #include <utility>
 
 namespace mres::test {
+namespace {
+
+std::string functionOf(const std::string& name, const std::string& body) {
+  return name + "(Surface surface) {\n" + body + "\n}\n";
+}
+
+}  // namespace
 
 TestEffect::TestEffect(Recipe recipe)
     : recipe_(std::move(recipe)),
-      text_("vec4 shade(Surface surface) {\n" + recipe_.body + "\n}\n"),
+      text_(functionOf("vec4 shade", recipe_.body) +
+            (recipe_.preview.empty() ? "" : functionOf("vec2 preview", recipe_.preview))),
       files_{{{"test/effect.glsl", text_}}},
       description_{.name = recipe_.name.c_str(),
                    .shader = "test/effect.glsl",
@@ -14,7 +22,12 @@ TestEffect::TestEffect(Recipe recipe)
                    .channels = recipe_.channels,
                    .background = recipe_.background,
                    .filtered = recipe_.filtered,
-                   .readsPyramid = false} {}
+                   .readsPyramid = false,
+                   .hasPreview = !recipe_.preview.empty()} {}
+
+TestEffect::Recipe levelNumbers(const LevelTable& levels) {
+  return {.body = "return vec4(log2(float(levelStride)) / 4.0);", .levels = levels};
+}
 
 LevelTable levelSubset(unsigned mask) {
   LevelTable table = kSsaoLevels;

@@ -17,6 +17,7 @@ class TestEffect : public Effect {
     LevelTable levels = kSsaoLevels;
     glm::vec4 background{1.0f};
     std::string name = "test";
+    std::string preview = {};  ///< the body of `vec2 preview(Surface surface)`; empty: there is none
   };
   explicit TestEffect(Recipe recipe);
 
@@ -32,6 +33,9 @@ class TestEffect : public Effect {
   std::array<gl::ShaderFile, 1> files_;
   EffectDescription description_;
 };
+
+/// Renders a quarter of each level's own number, so that the picture tells the levels apart.
+TestEffect::Recipe levelNumbers(const LevelTable& levels = kSsaoLevels);
 
 /// Table 1's levels of which bit i of `mask` says whether level i is used.
 LevelTable levelSubset(unsigned mask);
