@@ -21,11 +21,10 @@ class Steps {
 };
 
 void warmUp(const Work& work, const Timer& timer, double seconds, const Steps& steps) {
-  double spent = 0.0;
-  do {
+  for (double spent = 0.0; spent < seconds;) {
     steps.done(0);
     spent += timer(work).wallMs / 1000.0;
-  } while (spent < seconds);
+  }
 }
 
 bool isEnough(std::size_t runs, const RepeatPlan& plan, double spentSeconds,

@@ -26,7 +26,7 @@ struct RepeatPlan {
   int maxPairs = 31;
   double maxSeconds = 20.0;    ///< of timed work
   double precision = 0.05;     ///< half of the interval's width, relative to the ratio
-  double warmUpSeconds = 0.1;  ///< each is run once to compile its shaders, and on until this has passed
+  double warmUpSeconds = 0.1;  ///< each is run to compile its shaders until this has passed; 0: not at all
 };
 
 struct InterleavedTimes {

@@ -12,8 +12,6 @@
 #include "host/commands/bench_page.h"
 #include "host/commands/bench_plots.h"
 #include "host/commands/bench_results.h"
-#include "host/commands/bench_suite.h"
-#include "host/commands/usage_error.h"
 
 namespace host {
 namespace {
@@ -190,13 +188,6 @@ TEST_F(Bench, ThePageShowsTablePlotsAndPicturesWithNamesEscaped) {
   EXPECT_THAT(makePage(results.report(), {"plots/stages.svg"}),
               AllOf(HasSubstr("hall &lt;1>"), HasSubstr("2.00x"), HasSubstr("plots/stages.svg"),
                     HasSubstr("pictures/full.png"), testing::Not(HasSubstr("hall <1>"))));
-}
-
-TEST(Suite, NamesItsCasesAndRejectsOthers) {
-  EXPECT_FALSE(suiteCases("quick").empty());
-  EXPECT_THROW(suiteCases("slow"), UsageError);
-  EXPECT_FALSE(suiteCases("smoke").empty());
-  EXPECT_THAT(suiteNames(), testing::Not(testing::Contains("smoke")));
 }
 
 }  // namespace

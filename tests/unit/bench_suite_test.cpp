@@ -1,0 +1,140 @@
+// What the suites of `mres bench` measure, and how long that takes.
+#include "host/commands/bench_suite.h"
+
+#include <algorithm>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <iterator>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "host/commands/bench_cost.h"
+#include "host/commands/usage_error.h"
+#include "host/measure/picture_settings.h"
+
+namespace host {
+namespace {
+
+using testing::Contains;
+using testing::Not;
+using testing::UnorderedElementsAre;
+
+constexpr glm::ivec2 k4k{3840, 2160};
+
+std::vector<BenchCase> casesOf(const std::string& effect, const SuiteRequest& request) {
+  std::vector<BenchCase> cases = suiteCases(request);
+  std::erase_if(cases, [&](const BenchCase& each) { return each.effect != effect; });
+  return cases;
+}
+
+bool isKnown(const std::string& effect) {
+  return std::ranges::find(effectNames(), effect) != effectNames().end();
+}
+
+std::size_t distinct(const std::vector<BenchCase>& cases) {
+  std::set<std::tuple<std::string, std::string, int, int, int, int>> keys;
+  for (const BenchCase& each : cases)
+    keys.emplace(each.scene.name, each.effect, each.samples, each.size.x, each.size.y, each.camera);
+  return keys.size();
+}
+
+/// How many times a new neighbour appears: no more often than there are of them if equals are together.
+template <class Key>
+std::size_t changes(const std::vector<BenchCase>& cases, const Key& key) {
+  std::size_t count = 1;
+  for (std::size_t i = 1; i < cases.size(); ++i)
+    if (key(cases[i]) != key(cases[i - 1])) ++count;
+  return count;
+}
+
+double seconds(const std::vector<BenchCase>& cases) {
+  double sum = 0.0;
+  for (const BenchCase& each : cases) sum += secondsOf(each, planOf(each));
+  return sum;
+}
+
+TEST(Suite, NamesItsCasesAndRejectsOthers) {
+  EXPECT_FALSE(suiteCases({"quick"}).empty());
+  EXPECT_THROW(suiteCases({"slow"}), UsageError);
+  EXPECT_FALSE(suiteCases({"smoke"}).empty());
+  EXPECT_THAT(suiteNames(), Not(Contains("smoke")));
+}
+
+TEST(Suite, MeasuresNoPictureTwice) {
+  for (const char* suite : {"quick", "paper", "smoke"})
+    for (const bool thorough : {false, true}) {
+      const auto cases = suiteCases({suite, {}, thorough});
+      EXPECT_EQ(distinct(cases), cases.size()) << suite;
+    }
+}
+
+TEST(Suite, HasOnlyEffectsThatThereAre) {
+  for (const std::string& suite : suiteNames())
+    for (const BenchCase& each : suiteCases({suite})) EXPECT_TRUE(isKnown(each.effect)) << each.effect;
+}
+
+TEST(PaperSuite, HasThePicturesOfTheFigures) {
+  // 24 views in four sizes; six views with the other numbers of samples; figure 10 of SSGI; 4224 samples
+  // once.
+  EXPECT_EQ(casesOf("ssao", {"paper"}).size(), 24U * 4 + 6 * 3);
+  EXPECT_EQ(casesOf("ssm", {"paper"}).size(), 24U * 4 + 6 * 3);
+  EXPECT_EQ(casesOf("ssgi", {"paper"}).size(), isKnown("ssgi") ? 24U * 4 + 24 + 6 * 3 + 1 : 0U);
+}
+
+TEST(PaperSuite, WhenThoroughHasAllViewsWithAllSamples) {
+  EXPECT_EQ(casesOf("ssao", {"paper", {}, true}).size(), 24U * (4 + 3));
+  EXPECT_EQ(casesOf("ssgi", {"paper", {}, true}).size(), isKnown("ssgi") ? 24U * (4 + 4) + 1 : 0U);
+}
+
+TEST(PaperSuite, ShowsEachEffectInEachScene) {
+  std::vector<std::string> shown;
+  for (const BenchCase& each : casesOf("ssm", {"paper"}))
+    if (each.pictures) shown.push_back(nameOf(each));
+  EXPECT_THAT(shown, UnorderedElementsAre("hall 0 1920x1080 ssm 196", "breakfast 0 1920x1080 ssm 196",
+                                          "office 0 1920x1080 ssm 196"));
+}
+
+TEST(PaperSuite, LoadsEachSceneOnceAndKeepsEqualSettingsTogether) {
+  const auto cases = suiteCases({"paper"});
+  EXPECT_EQ(changes(cases, [](const BenchCase& each) { return each.scene.name; }), 3U);
+  const auto settings = [](const BenchCase& each) {
+    return std::tuple(each.scene.name, each.effect, each.samples);
+  };
+  std::set<std::tuple<std::string, std::string, int>> all;
+  std::ranges::transform(cases, std::inserter(all, all.end()), settings);
+  EXPECT_EQ(changes(cases, settings), all.size());
+}
+
+TEST(PaperSuite, FitsItsTime) {
+  EXPECT_LT(seconds(suiteCases({"paper"})), 100 * 60.0);
+  EXPECT_LT(seconds(suiteCases({"quick"})), 4 * 60.0);
+}
+
+TEST(PaperSuite, FitsItsTimeWithAllEffects) {
+  std::vector<BenchCase> cases = suiteCases({"paper"});
+  std::erase_if(cases, [](const BenchCase& each) { return each.effect == "ssgi"; });
+  for (const auto& [samples, views] : std::map<int, int>{{72, 6}, {144, 6}, {288, 24}, {528, 6}, {4224, 1}})
+    cases.insert(cases.end(), views, {{}, "ssgi", samples, k4k});
+  for (const glm::ivec2 size : {glm::ivec2(1280, 720), {1920, 1080}, {2560, 1440}, k4k})
+    cases.insert(cases.end(), 24, {{}, "ssgi", 228, size});
+  EXPECT_LT(seconds(cases), 100 * 60.0);
+}
+
+TEST(Plan, GivesSlowPicturesFewerPairs) {
+  EXPECT_EQ(planOf({{}, "ssao", 64, {1280, 720}}).minPairs, 3);
+  EXPECT_EQ(planOf({{}, "ssgi", 4224, k4k}).minPairs, 1);
+  EXPECT_EQ(planOf({{}, "ssgi", 4224, k4k}).warmUpSeconds, 0.0);
+}
+
+TEST(Plan, ExpectsWhatWasAskedFor) {
+  const BenchCase benchCase{{}, "ssao", 64, k4k};
+  RepeatPlan plan = planOf(benchCase);
+  plan.pairs = 10;
+  const double ten = secondsOf(benchCase, plan);
+  plan.pairs = 20;
+  EXPECT_GT(secondsOf(benchCase, plan), 1.5 * ten);
+}
+
+}  // namespace
+}  // namespace host
