@@ -3,16 +3,19 @@
 #include <fmt/ranges.h>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "host/commands/bench_campaign.h"
 #include "host/commands/bench_cost.h"
 #include "host/commands/bench_page.h"
 #include "host/commands/bench_plots.h"
+#include "host/commands/bench_scenes.h"
 #include "host/commands/bench_suite.h"
 #include "host/commands/commands.h"
 #include "host/commands/options.h"
 #include "host/commands/output.h"
+#include "host/commands/usage_error.h"
 
 namespace host {
 namespace fs = std::filesystem;
@@ -20,6 +23,7 @@ namespace {
 
 struct BenchOptions {
   SuiteRequest suite{suiteNames().front()};
+  std::vector<fs::path> scenes;
   TimingOptions timing;
   std::optional<fs::path> output;
   bool resume = false;
@@ -33,6 +37,7 @@ Examples:
   mres bench -o out                          about three minutes on two cores without a GPU
   mres bench --suite paper -o out            the evaluation of the paper, at most 100 minutes on two cores
   mres bench --suite paper -o out --resume   goes on after an interruption
+  mres bench --scenes models -o out          the same of your own scenes, up to eight cameras of each
 
 The folder gets results.json (after every measurement), plots/ as SVG where gnuplot is installed, pictures/, and
 report.html, which shows them all.)";
@@ -42,23 +47,38 @@ fs::path outputOf(const BenchOptions& options) {
   return options.output.value_or("bench-" + options.suite.suite);
 }
 
+std::vector<BenchCase> casesOf(const BenchOptions& options) {
+  SuiteRequest request = options.suite;
+  if (request.thorough && request.suite != kPaperSuite)
+    throw UsageError(fmt::format("Only the suite {0} can be thorough; give --suite {0}.", kPaperSuite));
+  suiteCases(request);  // an unknown name is told before a folder is searched
+  request.scenes = findScenes(options.scenes);
+  return suiteCases(request);
+}
+
+/// Plots and page, of what was measured.
+void writeReport(const Json& report, const fs::path& folder) {
+  const auto plots = drawPlots(report, folder);
+  if (!plots)
+    fmt::print(stderr, "mres: No plots were drawn; install gnuplot (apt-get install gnuplot-nox).\n");
+  writeTextFile(folder / "report.html", makePage(report, plots.value_or(std::vector<fs::path>())));
+}
+
 void runBench(const BenchOptions& options) {
-  std::vector<BenchCase> cases = suiteCases(options.suite);
+  std::vector<BenchCase> cases = casesOf(options);
   const OutputDirectory output(outputOf(options));
   const GlContext context;
   Campaign campaign({std::move(cases), options.campaignTiming(), output.path(), options.resume},
                     context.info());
   const Json& report = campaign.run();
-
-  const auto plots = drawPlots(report, output.path());
-  if (!plots)
-    fmt::print(stderr, "mres: No plots were drawn; install gnuplot (apt-get install gnuplot-nox).\n");
-  writeTextFile(output.path() / "report.html", makePage(report, plots.value_or(std::vector<fs::path>())));
+  writeReport(report, output.path());
   if (options.json)
     fmt::print("{}", toText(report));
   else
     fmt::print("{}\nresults.json and report.html are in {}\n", toTable(report),
                fs::weakly_canonical(output.path()).string());
+  if (const std::size_t count = campaign.scenesLeftOut(); count > 0)
+    throw std::runtime_error(fmt::format("{} of the scenes could not be loaded.", count));
 }
 
 }  // namespace
@@ -72,6 +92,13 @@ void addBenchCommand(CLI::App& app, Action& action) {
       ->add_option("--suite", options->suite.suite,
                    fmt::format("{} (default {})", fmt::join(suiteNames(), " or "), suiteNames().front()))
       ->type_name("NAME");
+  command
+      ->add_option("--scenes", options->scenes,
+                   "instead of the built-in scenes: .gltf and .glb files, and folders of them")
+      ->type_name("DIR|FILE...")
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command->add_flag("--thorough", options->suite.thorough,
+                    "with --suite paper: every view with every number of samples, in twice the time");
   command
       ->add_option_function<std::string>(
           "-o,--output", [options](const std::string& folder) { options->output = folder; },

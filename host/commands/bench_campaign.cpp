@@ -1,6 +1,7 @@
 #include "host/commands/bench_campaign.h"
 
 #include <fmt/format.h>
+#include <stdexcept>
 #include <utility>
 
 #include "host/commands/bench_cost.h"
@@ -53,21 +54,33 @@ double Campaign::expectedSeconds(const BenchCase& benchCase) const {
 
 const Json& Campaign::run() {
   for (const BenchCase& benchCase : request_.cases) {
-    measure(benchCase);
+    if (!measure(benchCase)) timeLeft_.skip(expectedSeconds(benchCase) / totalSeconds_);
     doneSeconds_ += expectedSeconds(benchCase);
   }
   progress_.clear();
   return results_.report();
 }
 
-void Campaign::measure(const BenchCase& benchCase) {
-  show(0.0, benchCase, "loading");
-  const Scene& scene = workbench_.scene(benchCase.scene);
-  if (benchCase.camera >= static_cast<int>(scene.cameras.size())) return;
+const Scene* Campaign::load(const BenchCase& benchCase) {
+  if (brokenScenes_.contains(benchCase.scene.source)) return nullptr;
+  try {
+    show(0.0, benchCase, "loading");
+    return &workbench_.scene(benchCase.scene);
+  } catch (const std::runtime_error& error) {
+    progress_.clear();
+    fmt::print(stderr, "mres: {}\n", error.what());
+    brokenScenes_.insert(benchCase.scene.source);
+    return nullptr;
+  }
+}
+
+bool Campaign::measure(const BenchCase& benchCase) {
+  const Scene* scene = load(benchCase);
+  if (!scene || benchCase.camera >= static_cast<int>(scene->cameras.size())) return false;
   PictureSettings settings = settingsOf(benchCase);
-  Measurement wanted = describePicture(scene, settings, benchCase.camera, benchCase.size);
+  Measurement wanted = describePicture(*scene, settings, benchCase.camera, benchCase.size);
   wanted.settings = settingsTable(settings).values();
-  if (results_.contains(wanted, request_.timing.timing)) return;
+  if (results_.contains(wanted, request_.timing.timing)) return false;
 
   requireMemory(bytesOfComparison(benchCase.size), physicalMemory());
   Comparison& comparison = workbench_.comparison(settings, wanted.settings);
@@ -77,6 +90,7 @@ void Campaign::measure(const BenchCase& benchCase) {
   measurement.settings = wanted.settings;
   if (benchCase.pictures) measurement.pictures = writeCasePictures(benchCase, comparison);
   results_.add(measurement);
+  return true;
 }
 
 Json Campaign::writeCasePictures(const BenchCase& benchCase, Comparison& comparison) {
@@ -88,8 +102,10 @@ Json Campaign::writeCasePictures(const BenchCase& benchCase, Comparison& compari
 
 void Campaign::show(double shareOfCase, const BenchCase& benchCase, const std::string& what) {
   throwIfInterrupted();
-  progress_.update((doneSeconds_ + shareOfCase * expectedSeconds(benchCase)) / totalSeconds_,
-                   fmt::format("{}: {}", nameOf(benchCase), what));
+  const double share = (doneSeconds_ + shareOfCase * expectedSeconds(benchCase)) / totalSeconds_;
+  const auto left = timeLeft_.at(share, std::chrono::steady_clock::now() - start_);
+  progress_.update(share,
+                   fmt::format("{}{}: {}", left ? describe(*left) + ", " : "", nameOf(benchCase), what));
 }
 
 }  // namespace host

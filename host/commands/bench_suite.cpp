@@ -125,7 +125,7 @@ Cases smokeSuite(const SuiteRequest& request) {
 
 MakeCases suiteOf(const std::string& name) {
   if (name == "quick") return quickSuite;
-  if (name == "paper") return paperSuite;
+  if (name == kPaperSuite) return paperSuite;
   if (name == "smoke") return smokeSuite;
   throw UsageError(fmt::format("There is no suite '{}'{}", name, suggestion(name, suiteNames())));
 }
@@ -133,7 +133,7 @@ MakeCases suiteOf(const std::string& name) {
 }  // namespace
 
 const std::vector<std::string>& suiteNames() {
-  static const std::vector<std::string> kNames{"quick", "paper"};
+  static const std::vector<std::string> kNames{"quick", kPaperSuite};
   return kNames;
 }
 

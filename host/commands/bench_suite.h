@@ -27,6 +27,8 @@ struct SuiteRequest {
   bool thorough = false;                ///< the paper's suite: every view with every number of samples
 };
 
+inline constexpr const char* kPaperSuite = "paper";
+
 /// The suites that users choose from.
 const std::vector<std::string>& suiteNames();
 
