@@ -22,6 +22,7 @@
 #include "mres/mask/edge_pass.h"
 #include "mres/mask/importance_pass.h"
 #include "mres/mask/mask_pass.h"
+#include "mres/mask/min_max_pass.h"
 #include "mres/mask/preview_pass.h"
 #include "mres/mask/zone_pass.h"
 #include "mres/plan/level_plan.h"
@@ -36,11 +37,17 @@ namespace {
 /// The passes that all effects share; compiled together, so that a reload replaces all or none.
 struct SharedPasses {
   explicit SharedPasses(const gl::ShaderLibrary& library)
-      : pyramid(library), edges(library), importance(library), masks(library), zones(library) {}
+      : pyramid(library),
+        edges(library),
+        minMax(library),
+        importance(library),
+        masks(library),
+        zones(library) {}
 
   void fill(float value) const {
     pyramid.fill(value);
     edges.fill(value);
+    minMax.fill(value);
     importance.fill(value);
     masks.fill(value);
     zones.fill(value);
@@ -48,6 +55,7 @@ struct SharedPasses {
 
   DepthPyramid pyramid;
   EdgePass edges;
+  MinMaxPass minMax;
   ImportancePass importance;
   MaskPass masks;
   ZonePass zones;
@@ -89,6 +97,8 @@ struct MultiResolution::Implementation {
   void uploadLevels(EffectPass& effect, glm::ivec2 fullSize);
   [[nodiscard]] bool isCoarsest(std::size_t planned) const { return planned + 1 == plan.levels.size(); }
   ZoneInputs zoneOf(EffectPass& effect, std::size_t planned);
+  const gl::Texture2D& drawGeometryEdges(const params::FrameParams& params, DepthFormat depth);
+  MaskSources maskSources(const Frame& frame);
   void drawMasks(EffectPasses& passes, const Frame& frame, const params::FrameParams& params,
                  DepthFormat depth);
   void renderLevels(EffectPasses& passes);
@@ -171,23 +181,40 @@ GLuint MultiResolution::Implementation::render(Effect& effect, const Frame& fram
   return passes.effect.targets(plan.levels.front().index).composed().color().id();
 }
 
+const gl::Texture2D& MultiResolution::Implementation::drawGeometryEdges(const params::FrameParams& params,
+                                                                        DepthFormat depth) {
+  if (settings.mask.minMaxMips) {
+    shared->minMax.draw(context, settings.mask, params, depth, plan);
+    return shared->minMax.edges(0);
+  }
+  shared->edges.draw(context, settings.mask, params, depth);
+  return shared->edges.edges();
+}
+
+MaskSources MultiResolution::Implementation::maskSources(const Frame& frame) {
+  MaskSources sources{.edges = edges.effect != nullptr ? edges.effect : edges.geometry};
+  const auto combined = [&](int level, const gl::Texture2D& image) {
+    if (frame.importance == 0) return &image;
+    return &shared->importance.draw(context, settings.mask.combination, level, image, frame);
+  };
+  sources.edges = combined(0, *sources.edges);
+  if (!settings.mask.minMaxMips || edges.geometry == nullptr) return sources;
+  for (std::size_t i = 1; i + 1 < plan.levels.size(); ++i) {
+    const int level = plan.levels[i].index;
+    sources.joined.at(static_cast<std::size_t>(level)) = combined(level, shared->minMax.edges(level));
+  }
+  return sources;
+}
+
 void MultiResolution::Implementation::drawMasks(EffectPasses& passes, const Frame& frame,
                                                 const params::FrameParams& params, DepthFormat depth) {
   const bool wantsGeometry = !passes.preview || settings.mask.geometryAlways;
-  if (wantsGeometry) {
-    shared->edges.draw(context, settings.mask, params, depth);
-    edges.geometry = &shared->edges.edges();
-  }
+  if (wantsGeometry) edges.geometry = &drawGeometryEdges(params, depth);
   if (passes.preview) {
     passes.preview.draw(context, settings.mask, params.size, edges.geometry);
     edges.effect = &passes.preview.edges();
   }
-  const gl::Texture2D* source = passes.preview ? edges.effect : edges.geometry;
-  if (frame.importance != 0) {
-    shared->importance.draw(context, settings.mask.combination, *source, frame.importance, frame.size);
-    source = &shared->importance.edges();
-  }
-  shared->masks.draw(context, *source, plan);
+  shared->masks.draw(context, maskSources(frame), plan);
 }
 
 void MultiResolution::Implementation::renderLevels(EffectPasses& passes) {
@@ -226,8 +253,8 @@ void MultiResolution::Implementation::fillReport(EffectPasses& passes) {
   report.skipped.assign(plan.skipped.begin(), plan.skipped.end());
   report.stages = context.profiler.stages();
   report.bytes = passes.effect.bytes() + passes.preview.bytes() + shared->pyramid.bytes() +
-                 shared->edges.bytes() + shared->importance.bytes() + shared->masks.bytes() +
-                 shared->zones.bytes();
+                 shared->edges.bytes() + shared->minMax.bytes() + shared->importance.bytes() +
+                 shared->masks.bytes() + shared->zones.bytes();
 }
 
 GLuint MultiResolution::Implementation::debugView(DebugView view) {

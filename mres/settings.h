@@ -29,6 +29,7 @@ struct MaskSettings {
   float depthThreshold = 0.05f;   ///< metres, [0, 100]. Larger steps in depth, off a plane, are an edge.
   float refineThreshold = 0.05f;  ///< [0, 1] of the effect's range. Least gain worth refining; 0: any.
   bool geometryAlways = false;  ///< Refine at geometry's edges even for effects that find edges of their own.
+  bool minMaxMips = false;  ///< Find geometry's edges by min/max mips of depth and normals, for comparison.
   MaskCombination combination = kCombineByMaximum;  ///< of the edges with Frame::importance, if there is one
 };
 
@@ -48,6 +49,10 @@ void visit(MaskSettings& settings, Visitor&& visitor) {
       SettingInfo{
           "", 0.0, 1.0,
           "Refine at geometry's edges even for effects that find edges of their own, as soft shadows do."});
+  visitor("minMaxMips", settings.minMaxMips,
+          SettingInfo{"", 0.0, 1.0,
+                      "Find geometry's edges by min/max mips of depth and normals (Nichols and Wyman 2009) "
+                      "instead of derivatives, for comparison."});
   visitor(
       "combination", settings.combination,
       SettingInfo{"", kCombineByMaximum, kCombineByMinimum,

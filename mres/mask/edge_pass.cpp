@@ -25,6 +25,15 @@ glm::vec2 depthRounding(const DepthFormat& format) {
 
 }  // namespace
 
+params::EdgesParams edgesParams(const MaskSettings& settings, const params::FrameParams& frame,
+                                const DepthFormat& depth) {
+  const glm::vec4& l = frame.linearise;
+  return {.depthSlope = {std::abs(l.y * l.z - l.x * l.w), l.z, l.w, 0.0f},
+          .normalDifference2 = normalDifference2(settings.normalThreshold, frame.normalDecode.x),
+          .depthThreshold = settings.depthThreshold,
+          .depthRounding = depthRounding(depth)};
+}
+
 EdgePass::EdgePass(const gl::ShaderLibrary& library)
     : program_(makePassProgram(library, "mres/edges.frag")) {}
 
@@ -34,11 +43,7 @@ void EdgePass::draw(PassContext& context, const MaskSettings& settings, const pa
   const glm::ivec2 size = levelSize(frame.size, 1);
   if (target_.size() != size) target_ = gl::RenderTarget(size, {GL_RG8}, 0, "mres.edges");
 
-  const glm::vec4& l = frame.linearise;
-  params_.upload({.depthSlope = {std::abs(l.y * l.z - l.x * l.w), l.z, l.w, 0.0f},
-                  .normalDifference2 = normalDifference2(settings.normalThreshold, frame.normalDecode.x),
-                  .depthThreshold = settings.depthThreshold,
-                  .depthRounding = depthRounding(depth)});
+  params_.upload(edgesParams(settings, frame, depth));
   params_.bind(kPassBlock);
   glUseProgram(program_.id());
   target_.bind();

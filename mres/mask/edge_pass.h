@@ -10,6 +10,10 @@
 
 namespace mres {
 
+/// The thresholds as the shaders have them.
+params::EdgesParams edgesParams(const MaskSettings& settings, const params::FrameParams& frame,
+                                const DepthFormat& depth);
+
 /// Finds the geometry edges of a frame: red normals, green depth, at half resolution (section 3.1 of the
 /// paper).
 class EdgePass {

@@ -11,18 +11,30 @@ ImportancePass::ImportancePass(const gl::ShaderLibrary& library)
     : maximum_(makePassProgram(library, kShader, "#define COMBINE max\n")),
       minimum_(makePassProgram(library, kShader, "#define COMBINE min\n")) {}
 
-void ImportancePass::draw(PassContext& context, MaskCombination combination, const gl::Texture2D& edges,
-                          GLuint importance, glm::ivec2 fullSize) {
+const gl::Texture2D& ImportancePass::draw(PassContext& context, MaskCombination combination, int level,
+                                          const gl::Texture2D& edges, const Frame& frame) {
   const gl::Scope scope(context.profiler, "mres.importance");
-  if (target_.size() != edges.size()) target_ = gl::RenderTarget(edges.size(), {GL_R8}, 0, "mres.importance");
+  gl::RenderTarget& target = targets_.at(static_cast<std::size_t>(level));
+  if (target.size() != edges.size()) target = gl::RenderTarget(edges.size(), {GL_R8}, 0, "mres.importance");
   gl::bindTexture(kSourceUnit, edges.id(), context.nearest);
-  gl::bindTexture(kMaskUnit, importance, context.linear);
+  gl::bindTexture(kMaskUnit, frame.importance, context.linear);
   const gl::Program& program = combination == kCombineByMinimum ? minimum_ : maximum_;
   glUseProgram(program.id());
-  const glm::vec2 screenFromTexel = 2.0f / glm::vec2(fullSize);
+  const glm::vec2 screenFromTexel = static_cast<float>(2 << level) / glm::vec2(frame.size);
   glUniform2fv(program.uniformLocation("screenFromTexel"), 1, &screenFromTexel.x);
-  target_.bind();
+  target.bind();
   context.triangle.draw();
+  return target.color();
+}
+
+void ImportancePass::fill(float value) const {
+  for (const gl::RenderTarget& target : targets_) target.fill(value);
+}
+
+std::size_t ImportancePass::bytes() const {
+  std::size_t sum = 0;
+  for (const gl::RenderTarget& target : targets_) sum += target.bytes();
+  return sum;
 }
 
 }  // namespace mres

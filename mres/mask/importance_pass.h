@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+
+#include "mres/frame.h"
 #include "mres/gl/render_target.h"
 #include "mres/level/pass_context.h"
 #include "mres/settings.h"
@@ -11,20 +14,18 @@ class ImportancePass {
  public:
   explicit ImportancePass(const gl::ShaderLibrary& library);
 
-  /// Samples `importance` bilinearly over a screen of `fullSize` pixels; texels of `edges` are two pixels
-  /// wide.
-  void draw(PassContext& context, MaskCombination combination, const gl::Texture2D& edges, GLuint importance,
-            glm::ivec2 fullSize);
+  /// Samples the frame's importance bilinearly over the screen. `edges` has the resolution of the mask of
+  /// `level`. Returns both in one, GL_R8.
+  const gl::Texture2D& draw(PassContext& context, MaskCombination combination, int level,
+                            const gl::Texture2D& edges, const Frame& frame);
 
-  /// GL_R8, of the size of the edge image.
-  [[nodiscard]] const gl::Texture2D& edges() const { return target_.color(); }
-  void fill(float value) const { target_.fill(value); }
-  [[nodiscard]] std::size_t bytes() const { return target_.bytes(); }
+  void fill(float value) const;
+  [[nodiscard]] std::size_t bytes() const;
 
  private:
   gl::Program maximum_;
   gl::Program minimum_;
-  gl::RenderTarget target_;
+  std::array<gl::RenderTarget, kMaxLevels - 1> targets_;
 };
 
 }  // namespace mres

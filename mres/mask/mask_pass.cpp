@@ -48,19 +48,22 @@ int solidRadius(const params::MaskBlurParams& kernel) {
 }
 
 MaskPass::MaskPass(const gl::ShaderLibrary& library)
-    : downsampleProgram_(makePassProgram(library, "mres/mask_downsample.frag")),
+    : downsampleProgram_(makePassProgram(library, "mres/mask_downsample.frag", "#define JOIN_COARSER 0\n")),
+      downsampleJoinProgram_(
+          makePassProgram(library, "mres/mask_downsample.frag", "#define JOIN_COARSER 1\n")),
       blurProgram_(makePassProgram(library, "mres/mask_blur.frag", "#define JOIN_FINER 0\n")),
       blurJoinProgram_(makePassProgram(library, "mres/mask_blur.frag", "#define JOIN_FINER 1\n")) {}
 
-void MaskPass::draw(PassContext& context, const gl::Texture2D& edges, const LevelPlan& plan) {
+void MaskPass::draw(PassContext& context, const MaskSources& sources, const LevelPlan& plan) {
   const gl::Scope scope(context.profiler, "mres.masks");
-  const gl::Texture2D* source = &edges;
+  const gl::Texture2D* source = sources.edges;
   const Level* finer = nullptr;
   int index = 0;
   for (std::size_t planned = 0; planned + 1 < plan.levels.size(); ++planned) {
     const PlannedLevel& level = plan.levels[planned];
     for (; index < level.index; ++index) {
-      source = &edgesOf(context, index + 1, *source, plan.levels.front().size);
+      const gl::Texture2D* joined = sources.joined.at(slot(index + 1));
+      source = &edgesOf(context, index + 1, *source, joined, plan.levels.front().size);
     }
     Level& masked = levels_.at(slot(level.index));
     setKernel(masked, level.settings.maskVariance,
@@ -71,11 +74,12 @@ void MaskPass::draw(PassContext& context, const gl::Texture2D& edges, const Leve
 }
 
 const gl::Texture2D& MaskPass::edgesOf(PassContext& context, int level, const gl::Texture2D& finerEdges,
-                                       glm::ivec2 fullSize) {
+                                       const gl::Texture2D* joined, glm::ivec2 fullSize) {
   gl::RenderTarget& target = levels_.at(slot(level)).edges;
   ensure(target, levelSize(fullSize, level + 1), "mres.edges");
   gl::bindTexture(kSourceUnit, finerEdges.id(), context.nearest);
-  glUseProgram(downsampleProgram_.id());
+  if (joined != nullptr) gl::bindTexture(kMaskUnit, joined->id(), context.nearest);
+  glUseProgram(joined != nullptr ? downsampleJoinProgram_.id() : downsampleProgram_.id());
   target.bind();
   context.triangle.draw();
   return target.color();

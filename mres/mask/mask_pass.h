@@ -17,6 +17,13 @@ params::MaskBlurParams gaussian(float variance);
 /// Distance in texels from an edge up to which the mask that a Gaussian makes of it is surely above zero.
 int solidRadius(const params::MaskBlurParams& kernel);
 
+/// What the masks are made of.
+struct MaskSources {
+  const gl::Texture2D* edges = nullptr;  ///< at the resolution of level 1
+  /// By level, at the resolution of its mask: edges that show only there; null for none. Level 0 has `edges`.
+  std::array<const gl::Texture2D*, kMaxLevels - 1> joined{};
+};
+
 /// Turns the edge image into one mask per level: down-sampled, then blurred by the level's variance. The mask
 /// of level i has the resolution of level i + 1 (a texel is a 2x2 quad of the level's pixels), is GL_R8, and
 /// is above zero wherever the mask of a finer level is.
@@ -24,8 +31,8 @@ class MaskPass {
  public:
   explicit MaskPass(const gl::ShaderLibrary& library);
 
-  /// `edges` has the resolution of level 1. The plan's last level needs no mask.
-  void draw(PassContext& context, const gl::Texture2D& edges, const LevelPlan& plan);
+  /// The plan's last level needs no mask.
+  void draw(PassContext& context, const MaskSources& sources, const LevelPlan& plan);
 
   /// The mask of a level that draw() was given.
   [[nodiscard]] const gl::Texture2D& mask(int level) const { return levels_.at(slot(level)).mask.color(); }
@@ -44,11 +51,12 @@ class MaskPass {
   };
   static std::size_t slot(int level) { return static_cast<std::size_t>(level); }
   const gl::Texture2D& edgesOf(PassContext& context, int level, const gl::Texture2D& finerEdges,
-                               glm::ivec2 fullSize);
+                               const gl::Texture2D* joined, glm::ivec2 fullSize);
   static void setKernel(Level& level, float variance, int finerRatio);
   void blur(PassContext& context, const gl::Texture2D& source, Level& level, const Level* finer);
 
   gl::Program downsampleProgram_;
+  gl::Program downsampleJoinProgram_;
   gl::Program blurProgram_;
   gl::Program blurJoinProgram_;
   std::array<Level, kMaxLevels - 1> levels_;

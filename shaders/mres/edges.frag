@@ -3,11 +3,10 @@
 // plane (second derivative), both over the 2x2 pixels of this texel and their neighbours.
 //
 // The second derivative is taken of window depth, which is affine in screen space on every plane (perspective or
-// orthographic), so that a plane seen at any angle is exactly zero. It becomes metres by the difference of view
-// depth between two window depths, |t1 - t0| depthSlope.x / (slopeRoot(t0) slopeRoot(t1)), taken between the nearest
-// and the farthest surface around.
+// orthographic), so that a plane seen at any angle is exactly zero. It becomes metres between the nearest and the
+// farthest surface around.
 #include "mres/frame.glsl"
-#include "mres/edges_params.h"
+#include "mres/depth_step.glsl"
 
 out vec2 fragment;
 
@@ -18,10 +17,6 @@ float depthAt(ivec2 pixel) {
 // As it is encoded: differences of it are differences of normals but for a factor.
 vec3 normalAt(ivec2 pixel) {
     return texelFetch(normalTexture, min(pixel, size - 1), 0).xyz;
-}
-
-float slopeRoot(float windowDepth) {
-    return abs(depthSlope.y + depthSlope.z * windowDepth);
 }
 
 float secondDifference(float before, float here, float after) {
@@ -55,9 +50,7 @@ bool hasDepthEdge(ivec2 texelCorner, out bool background) {
     float lowest = min(min(low.x, low.y), min(low.z, low.w));
     float highest = max(max(high.x, high.y), max(high.z, high.w));
     background = lowest == backgroundDepth && highest == backgroundDepth;
-    float slopeRoots = slopeRoot(lowest) * slopeRoot(highest);  // 0 where one is infinitely far
-    return largest > depthRounding.x + depthRounding.y * highest &&
-           largest * depthSlope.x > depthThreshold * slopeRoots;
+    return isDepthStep(largest, lowest, highest);
 }
 
 bool hasNormalEdge(ivec2 corner) {

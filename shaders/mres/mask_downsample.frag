@@ -1,6 +1,9 @@
 #version 330 core
 // Halves the edge image: a texel is an edge if any of the four below it is (the maximum), from any source.
+// JOIN_COARSER: or if it is one by itself.
 uniform sampler2D sourceTexture;
+
+uniform sampler2D maskTexture;  // edges of this resolution
 
 out float fragment;
 
@@ -13,4 +16,8 @@ void main() {
     ivec2 corner = ivec2(gl_FragCoord.xy) * 2;
     fragment = max(max(edgeAt(corner), edgeAt(corner + ivec2(1, 0))),
                    max(edgeAt(corner + ivec2(0, 1)), edgeAt(corner + ivec2(1, 1))));
+#if JOIN_COARSER
+    vec2 joined = texelFetch(maskTexture, ivec2(gl_FragCoord.xy), 0).rg;
+    fragment = max(fragment, max(joined.r, joined.g));
+#endif
 }

@@ -38,8 +38,8 @@ TEST_F(GlTest, ImportanceIsSampledBilinearlyOverTheScreenAndCombinedWithTheEdges
       const Image edgeImage = readImage(edges, 2);
       const Image importanceImage = readImage(importance, 1);
       for (const MaskCombination combination : {kCombineByMaximum, kCombineByMinimum}) {
-        pass.draw(context, combination, edges, importance.id(), fullSize);
-        const Image combined = readImage(pass.edges(), 1);
+        const Frame frame{.importance = importance.id(), .size = fullSize};
+        const Image combined = readImage(pass.draw(context, combination, 0, edges, frame), 1);
         ASSERT_EQ(combined.size, edgeImage.size);
         for (int i = 0; i < combined.size.x * combined.size.y; ++i) {
           const glm::ivec2 texel(i % combined.size.x, i / combined.size.x);

@@ -52,7 +52,7 @@ Image MaskBench::edges(const Frame& frame, const MaskSettings& settings) {
 }
 
 std::vector<Image> MaskBench::masks(const gl::Texture2D& edges, const LevelPlan& plan) {
-  maskPass_.draw(context_, edges, plan);
+  maskPass_.draw(context_, {.edges = &edges}, plan);
   std::vector<Image> images;
   for (std::size_t i = 0; i + 1 < plan.levels.size(); ++i) {
     images.push_back(readImage(maskPass_.mask(plan.levels[i].index), 1));
