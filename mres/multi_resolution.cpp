@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mres/composite/composite_pass.h"
+#include "mres/composite/disjoint_pass.h"
 #include "mres/debug/debug_view_pass.h"
 #include "mres/gl/state_guard.h"
 #include "mres/gl/uniform_buffer.h"
@@ -42,7 +43,8 @@ struct SharedPasses {
         minMax(library),
         importance(library),
         masks(library),
-        zones(library) {}
+        zones(library),
+        disjoint(library) {}
 
   void fill(float value) const {
     pyramid.fill(value);
@@ -59,6 +61,7 @@ struct SharedPasses {
   ImportancePass importance;
   MaskPass masks;
   ZonePass zones;
+  DisjointPass disjoint;
 };
 
 /// The passes of one effect.
@@ -96,12 +99,17 @@ struct MultiResolution::Implementation {
   DepthFormat bindFrame(const Frame& frame, const params::FrameParams& params);
   void uploadLevels(EffectPass& effect, glm::ivec2 fullSize);
   [[nodiscard]] bool isCoarsest(std::size_t planned) const { return planned + 1 == plan.levels.size(); }
+  [[nodiscard]] bool isDisjoint() const { return settings.mask.disjoint && plan.levels.size() > 1; }
+  [[nodiscard]] LevelRole roleOf(std::size_t planned) const;
   ZoneInputs zoneOf(EffectPass& effect, std::size_t planned);
   const gl::Texture2D& drawGeometryEdges(const params::FrameParams& params, DepthFormat depth);
   MaskSources maskSources(const Frame& frame);
   void drawMasks(EffectPasses& passes, const Frame& frame, const params::FrameParams& params,
                  DepthFormat depth);
   void renderLevels(EffectPasses& passes);
+  void renderDisjointLevels(EffectPasses& passes);
+  void drawZones(EffectPass& effect);
+  void startDisjointLevel(EffectPass& effect, std::size_t planned);
   void drawEffect(EffectPasses& passes, std::size_t planned);
   void fillReport(EffectPasses& passes);
 
@@ -139,14 +147,19 @@ DepthFormat MultiResolution::Implementation::bindFrame(const Frame& frame,
   return depth;
 }
 
+LevelRole MultiResolution::Implementation::roleOf(std::size_t planned) const {
+  if (isDisjoint()) return LevelRole::zoned;
+  if (isCoarsest(planned)) return LevelRole::coarsest;
+  return planned == 0 ? LevelRole::zoned : LevelRole::intermediate;
+}
+
 void MultiResolution::Implementation::uploadLevels(EffectPass& effect, glm::ivec2 fullSize) {
   for (std::size_t i = 0; i < plan.levels.size(); ++i) {
     const PlannedLevel& level = plan.levels[i];
     const LevelNeighbours neighbours{level, isCoarsest(i) ? nullptr : &plan.levels[i + 1],
                                      i == 0 ? nullptr : &plan.levels[i - 1]};
-    const LevelRole zoned = i == 0 ? LevelRole::finest : LevelRole::intermediate;
     LevelTargets& targets = effect.targets(level.index);
-    targets.ensure(effect.effect(), level.size, isCoarsest(i) ? LevelRole::coarsest : zoned);
+    targets.ensure(effect.effect(), level.size, roleOf(i));
     targets.params().upload(levelParams(neighbours, fullSize, settings.mask.refineThreshold));
   }
 }
@@ -174,7 +187,11 @@ GLuint MultiResolution::Implementation::render(Effect& effect, const Frame& fram
   effect.bind();
   edges = {};
   if (plan.levels.size() > 1) drawMasks(passes, frame, params, depth);
-  renderLevels(passes);
+  if (isDisjoint()) {
+    renderDisjointLevels(passes);
+  } else {
+    renderLevels(passes);
+  }
   context.profiler.endFrame();
   fillReport(passes);
   hasPicture = true;
@@ -223,7 +240,7 @@ void MultiResolution::Implementation::renderLevels(EffectPasses& passes) {
     targets.params().bind(kLevelBlock);
     if (isCoarsest(i)) {
       drawEffect(passes, i);
-      passes.composite.drawCoarsest(context, targets);
+      passes.composite.drawAlone(context, targets);
     } else {
       const ZoneInputs inputs = zoneOf(passes.effect, i);
       shared->zones.draw(context, plan.levels[i], inputs);
@@ -234,13 +251,46 @@ void MultiResolution::Implementation::renderLevels(EffectPasses& passes) {
   }
 }
 
+void MultiResolution::Implementation::drawZones(EffectPass& effect) {
+  for (std::size_t i = 0; !isCoarsest(i); ++i) {
+    effect.targets(plan.levels[i].index).params().bind(kLevelBlock);
+    shared->zones.draw(context, plan.levels[i], zoneOf(effect, i));
+  }
+}
+
+void MultiResolution::Implementation::startDisjointLevel(EffectPass& effect, std::size_t planned) {
+  const LevelTargets& targets = effect.targets(plan.levels[planned].index);
+  if (isCoarsest(planned)) {
+    shared->disjoint.startCoarsest(targets);
+  } else {
+    const int coarser = plan.levels[planned + 1].index;
+    shared->disjoint.drawOutsideZone(context, targets, shared->zones.zone(plan.levels[planned].index),
+                                     effect.targets(coarser).composed().color(), coarser);
+  }
+  if (planned == 0) return;
+  const int finer = plan.levels[planned - 1].index;
+  shared->disjoint.takeFiner(context, targets, shared->zones.zone(finer), finer);
+}
+
+// All zones first: a level leaves out what the finer ones render.
+void MultiResolution::Implementation::renderDisjointLevels(EffectPasses& passes) {
+  drawZones(passes.effect);
+  for (std::size_t i = plan.levels.size(); i-- > 0;) {
+    LevelTargets& targets = passes.effect.targets(plan.levels[i].index);
+    targets.params().bind(kLevelBlock);
+    startDisjointLevel(passes.effect, i);
+    drawEffect(passes, i);
+    passes.composite.drawAlone(context, targets);
+  }
+}
+
 void MultiResolution::Implementation::drawEffect(EffectPasses& passes, std::size_t planned) {
   const PlannedLevel& level = plan.levels[planned];
   if (passes.effect.effect().readsPyramid) {
     gl::bindTexture(kSourceUnit, shared->pyramid.texture().id(), context.nearestMip);
   }
   if (measureCoverage) passes.coverage.begin(level);
-  passes.effect.draw(context, level.index, !isCoarsest(planned));
+  passes.effect.draw(context, level.index, roleOf(planned) != LevelRole::coarsest);
   if (measureCoverage) passes.coverage.end();
 }
 

@@ -30,6 +30,7 @@ struct MaskSettings {
   float refineThreshold = 0.05f;  ///< [0, 1] of the effect's range. Least gain worth refining; 0: any.
   bool geometryAlways = false;  ///< Refine at geometry's edges even for effects that find edges of their own.
   bool minMaxMips = false;  ///< Find geometry's edges by min/max mips of depth and normals, for comparison.
+  bool disjoint = false;    ///< Each pixel in one level alone, for comparison; as if refineThreshold were 0.
   MaskCombination combination = kCombineByMaximum;  ///< of the edges with Frame::importance, if there is one
 };
 
@@ -53,6 +54,10 @@ void visit(MaskSettings& settings, Visitor&& visitor) {
           SettingInfo{"", 0.0, 1.0,
                       "Find geometry's edges by min/max mips of depth and normals (Nichols and Wyman 2009) "
                       "instead of derivatives, for comparison."});
+  visitor("disjoint", settings.disjoint,
+          SettingInfo{"", 0.0, 1.0,
+                      "Render each pixel in one level alone, for comparison; what to refine is then decided "
+                      "before anything is rendered, as if refineThreshold were 0."});
   visitor(
       "combination", settings.combination,
       SettingInfo{"", kCombineByMaximum, kCombineByMinimum,

@@ -12,7 +12,8 @@ std::string defines(const EffectDescription& effect, LevelRole role, bool progre
   const auto define = [](const char* name, int value) {
     return std::string("#define ") + name + ' ' + std::to_string(value) + '\n';
   };
-  return define("EFFECT_CHANNELS", effect.channels) + define("FILTERED", effect.filtered ? 1 : 0) +
+  return define("DISJOINT", 0) + define("EFFECT_CHANNELS", effect.channels) +
+         define("FILTERED", effect.filtered ? 1 : 0) +
          define("COARSEST", role == LevelRole::coarsest ? 1 : 0) +
          define("REFINABLE", role == LevelRole::intermediate ? 1 : 0) +
          define("PROGRESSIVE", progressive ? 1 : 0);
@@ -23,8 +24,8 @@ std::string defines(const EffectDescription& effect, LevelRole role, bool progre
 CompositePass::CompositePass(const gl::ShaderLibrary& library, const EffectDescription& effect)
     : filtered_(effect.filtered),
       filter_(makePassProgram(library, "mres/filter_horizontal.frag", defines(effect, LevelRole::coarsest))),
-      coarsest_(makePassProgram(library, "mres/composite.frag", defines(effect, LevelRole::coarsest))),
-      finest_(makeZonePrograms(library, effect, LevelRole::finest)),
+      alone_(makePassProgram(library, "mres/composite.frag", defines(effect, LevelRole::coarsest))),
+      zoned_(makeZonePrograms(library, effect, LevelRole::zoned)),
       intermediate_(makeZonePrograms(library, effect, LevelRole::intermediate)) {}
 
 CompositePass::ZonePrograms CompositePass::makeZonePrograms(const gl::ShaderLibrary& library,
@@ -34,12 +35,11 @@ CompositePass::ZonePrograms CompositePass::makeZonePrograms(const gl::ShaderLibr
           .outside = makePassProgram(library, "mres/outside_zone.frag", defines(effect, role))};
 }
 
-const gl::Texture2D& CompositePass::filterAlongX(PassContext& context, const LevelTargets& level,
-                                                 bool zoned) {
+const gl::Texture2D& CompositePass::filterAlongX(PassContext& context, const LevelTargets& level) {
   if (!filtered_) return level.raw().color();
   const gl::Scope scope(context.profiler, "mres.filter");
   level.filteredAlongX().bind();
-  if (zoned) {
+  if (level.role() != LevelRole::coarsest) {
     constexpr std::array<float, 4> kUndefined{};
     glClearBufferfv(GL_COLOR, 0, kUndefined.data());
     drawInZone();
@@ -51,17 +51,19 @@ const gl::Texture2D& CompositePass::filterAlongX(PassContext& context, const Lev
   return level.filteredAlongX().color();
 }
 
-void CompositePass::drawCoarsest(PassContext& context, const LevelTargets& level) {
-  const gl::Texture2D& source = filterAlongX(context, level, false);
+void CompositePass::drawAlone(PassContext& context, const LevelTargets& level) {
+  const gl::Texture2D& source = filterAlongX(context, level);
   const gl::Scope scope(context.profiler, "mres.composite");
   gl::bindTexture(kSourceUnit, source.id(), context.nearest);
   level.composed().bind();
-  glUseProgram(coarsest_.id());
+  if (level.role() != LevelRole::coarsest) drawInZone();
+  glUseProgram(alone_.id());
   context.triangle.draw();
+  glDisable(GL_STENCIL_TEST);
 }
 
 const CompositePass::ZonePrograms& CompositePass::programsOf(const LevelTargets& level) const {
-  return level.role() == LevelRole::intermediate ? intermediate_ : finest_;
+  return level.role() == LevelRole::intermediate ? intermediate_ : zoned_;
 }
 
 void CompositePass::drawOutsideZone(PassContext& context, const LevelTargets& level, const ZoneInputs& inputs,
@@ -70,17 +72,14 @@ void CompositePass::drawOutsideZone(PassContext& context, const LevelTargets& le
   gl::bindTexture(kSourceUnit, zone.id(), context.nearest);
   gl::bindTexture(kCoarserUnit, inputs.coarser->id(), context.linear);
   level.composed().bind();
-  glClearBufferiv(GL_STENCIL, 0, &kZone);
-  glEnable(GL_STENCIL_TEST);
-  glStencilFunc(GL_ALWAYS, 0, 0xFF);
-  glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+  startZone();
   glUseProgram(programsOf(level).outside.id());
   context.triangle.draw();
   glDisable(GL_STENCIL_TEST);
 }
 
 void CompositePass::drawZone(PassContext& context, const LevelTargets& level, const ZoneInputs& inputs) {
-  const gl::Texture2D& source = filterAlongX(context, level, true);
+  const gl::Texture2D& source = filterAlongX(context, level);
   const gl::Scope scope(context.profiler, "mres.composite");
   const ZonePrograms& programs = programsOf(level);
   gl::bindTexture(kSourceUnit, source.id(), context.nearest);

@@ -10,8 +10,8 @@ class CompositePass {
  public:
   CompositePass(const gl::ShaderLibrary& library, const EffectDescription& effect);
 
-  /// The coarsest level: filtered, nothing below it.
-  void drawCoarsest(PassContext& context, const LevelTargets& level);
+  /// A level with nothing below it: filtered; in its zone where it has one. Needs what drawZone() needs.
+  void drawAlone(PassContext& context, const LevelTargets& level);
 
   /// A finer level, before its effect is drawn: the coarser picture outside of the zone, and a stencil of the
   /// zone. Needs the frame's and the level's blocks bound.
@@ -23,11 +23,11 @@ class CompositePass {
   void drawZone(PassContext& context, const LevelTargets& level, const ZoneInputs& inputs);
 
  private:
-  const gl::Texture2D& filterAlongX(PassContext& context, const LevelTargets& level, bool zoned);
+  const gl::Texture2D& filterAlongX(PassContext& context, const LevelTargets& level);
 
   bool filtered_;
   gl::Program filter_;
-  gl::Program coarsest_;
+  gl::Program alone_;
   /// Programs of a zoned level, by whether a finer one follows (then they also write where to refine).
   struct ZonePrograms {
     gl::Program blend;
@@ -38,7 +38,7 @@ class CompositePass {
                                        LevelRole role);
   [[nodiscard]] const ZonePrograms& programsOf(const LevelTargets& level) const;
 
-  ZonePrograms finest_;
+  ZonePrograms zoned_;
   ZonePrograms intermediate_;
 };
 

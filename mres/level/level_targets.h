@@ -10,7 +10,7 @@ namespace mres {
 
 /// A level's place among those that a frame renders. A frame of one level has the coarsest alone.
 enum class LevelRole {
-  finest,        ///< renders in its zone; its picture is the result
+  zoned,         ///< renders in its zone
   intermediate,  ///< renders in its zone, and says where refining it further would show
   coarsest       ///< renders the whole screen
 };

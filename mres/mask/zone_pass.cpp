@@ -28,6 +28,17 @@ std::size_t ZonePass::bytes() const {
   return sum;
 }
 
+void startZone() {
+  glClearBufferiv(GL_STENCIL, 0, &kZone);
+  drawOutOfZone();
+}
+
+void drawOutOfZone() {
+  glEnable(GL_STENCIL_TEST);
+  glStencilFunc(GL_ALWAYS, 0, 0xFF);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+}
+
 void drawInZone() {
   glEnable(GL_STENCIL_TEST);
   glStencilFunc(GL_EQUAL, kZone, 0xFF);

@@ -34,6 +34,12 @@ class ZonePass {
   std::array<gl::RenderTarget, kMaxLevels - 1> zones_;
 };
 
+/// Puts the whole of the target bound into the zone, from which what is drawn next takes its pixels.
+void startZone();
+
+/// What is drawn next takes its pixels from the zone.
+void drawOutOfZone();
+
 /// Draws pass only in the zone, and leave the stencil as it is.
 void drawInZone();
 

@@ -146,7 +146,7 @@ class FilterReferenceTest : public GlTest {
     frameBlock_.bind(kFrameBlock);
     targets.params().upload(levelParams({input.level}, input.fullSize, 0.0f));
     targets.params().bind(kLevelBlock);
-    composite.drawCoarsest(context_, targets);
+    composite.drawAlone(context_, targets);
     return readImage(targets.composed().color(), channels);
   }
 
