@@ -8,26 +8,13 @@
 #include <utility>
 
 #include "host/commands/gnuplot.h"
+#include "host/commands/mean_plots.h"
 #include "host/commands/output.h"
+#include "host/commands/plot_script.h"
 
 namespace host {
 namespace fs = std::filesystem;
 namespace {
-
-using Point = std::pair<double, double>;
-using Series = std::map<std::string, std::vector<Point>>;
-
-std::string viewOf(const Json& result) {
-  return fmt::format("{} {}", result["scene"].get<std::string>(), result["camera"].get<int>());
-}
-
-std::string sizeOf(const Json& result) {
-  return fmt::format("{}x{}", result["width"].get<int>(), result["height"].get<int>());
-}
-
-double megapixels(const Json& result) {
-  return result["width"].get<double>() * result["height"].get<double>() / 1e6;
-}
 
 std::vector<Json> timedResults(const Json& report) {
   std::vector<Json> timed;
@@ -47,54 +34,38 @@ Series speedupOver(const std::vector<Json>& results, const std::function<double(
   return series;
 }
 
-std::string plotOf(const Series& series, const std::string& style) {
-  std::string blocks;
-  std::string commands;
-  for (const auto& [name, points] : series) {
-    const std::string block = fmt::format("$series{}", std::distance(series.begin(), series.find(name)));
-    blocks += block + " << EOD\n";
-    for (const auto& [x, y] : points) blocks += fmt::format("{} {}\n", x, y);
-    blocks += "EOD\n";
-    commands += fmt::format("{}{} with {} title {}", commands.empty() ? "plot " : ", ", block, style,
-                            gnuplotQuoted(name));
-  }
-  return series.empty() ? "" : blocks + commands + "\n";
+/// Nothing for more than can be told apart: there, means tell more.
+std::string linesOf(const Series& series) {
+  return series.size() <= kMostSeries ? plotOf(series, "linespoints") : "";
 }
-
-std::string axes(const std::string& title, const std::string& x, const std::string& y) {
-  return fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n", gnuplotQuoted(title), gnuplotQuoted(x),
-                     gnuplotQuoted(y));
-}
-
-constexpr const char* kEvenLine =
-    "set yrange [0:*]\nset arrow from graph 0, first 1 to graph 1, first 1 nohead dashtype 2\n";
 
 std::string speedupBySize(const std::vector<Json>& results) {
-  const std::string plot =
-      plotOf(speedupOver(results, megapixels,
-                         [](const Json& result) {
-                           return fmt::format("{}, {} samples", viewOf(result), result["samples"].get<int>());
-                         }),
-             "linespoints");
-  return plot.empty() ? "" : axes("Speedup by picture size", "megapixels", "speedup") + kEvenLine + plot;
+  const auto rest = [](const Json& result) { return fmt::format("{}, {}", viewOf(result), workOf(result)); };
+  const std::string plot = linesOf(speedupOver(results, megapixels, rest));
+  return plot.empty() ? "" : axes("Speedup by picture size", "megapixels", "speedup") + speedupScale() + plot;
 }
 
 std::string speedupBySamples(const std::vector<Json>& results) {
   const auto samples = [](const Json& result) { return result["samples"].get<double>(); };
-  const std::string plot = plotOf(
-      speedupOver(results, samples,
-                  [](const Json& result) { return fmt::format("{}, {}", viewOf(result), sizeOf(result)); }),
-      "linespoints");
-  return plot.empty() ? "" : axes("Speedup by samples per pixel", "samples", "speedup") + kEvenLine + plot;
+  const auto rest = [](const Json& result) {
+    return fmt::format("{}, {}, {}", viewOf(result), result["effect"].get<std::string>(), sizeOf(result));
+  };
+  const std::string plot = linesOf(speedupOver(results, samples, rest));
+  return plot.empty() ? ""
+                      : axes("Speedup by samples per pixel", "samples", "speedup") + speedupScale() + plot;
 }
 
 /// The plane on which techniques compete: further down and to the left is better.
 std::string errorAgainstTime(const std::vector<Json>& results) {
-  Series series;
-  for (const Json& result : results)
-    series[result["scene"].get<std::string>()].emplace_back(1.0 / result["speedup"].get<double>(),
-                                                            result["error"]["rms"].get<double>());
-  const std::string plot = plotOf(series, "points pointsize 1.2");
+  Series byScene;
+  Series byEffect;
+  for (const Json& result : results) {
+    const Point point(1.0 / result["speedup"].get<double>(), result["error"]["rms"].get<double>());
+    const auto effect = result["effect"].get<std::string>();
+    byScene[fmt::format("{}, {}", result["scene"].get<std::string>(), effect)].push_back(point);
+    byEffect[effect].push_back(point);
+  }
+  const std::string plot = plotOf(byScene.size() <= kMostSeries ? byScene : byEffect, "points pointsize 1.2");
   if (plot.empty()) return "";
   return axes("Error against time", "time, as a share of the full resolution's", "RMS error") +
          "set xrange [0:*]\nset yrange [0:*]\n" + plot;
@@ -109,23 +80,41 @@ std::vector<std::string> stageNames(const std::vector<Json>& results) {
   return names;
 }
 
+using Bars = std::map<std::string, std::vector<const Json*>>;
+
+/// A bar for each result or, where those are too many, for the results of all views together.
+Bars barsOf(const std::vector<Json>& results) {
+  constexpr std::size_t kMostBars = 24;
+  const bool byView = results.size() <= kMostBars;
+  Bars bars;
+  for (const Json& result : results)
+    bars[fmt::format("{}{}, {}", byView ? viewOf(result) + ", " : "", workOf(result), sizeOf(result))]
+        .push_back(&result);
+  return bars;
+}
+
+/// Of one stage, over all of a bar's results.
+double totalOf(const std::vector<const Json*>& results, const std::string& stage) {
+  double total = 0.0;
+  for (const Json* result : results) total += (*result)["stages_ms"].value(stage, 0.0);
+  return total;
+}
+
 std::string stageShares(const std::vector<Json>& results) {
   const std::vector<std::string> names = stageNames(results);
   if (names.empty()) return "";
   std::string block = "$stages << EOD\nresult";
   for (const std::string& name : names) block += " " + name;
-  for (const Json& result : results) {
-    const Json& stages = result["stages_ms"];
+  for (const auto& [bar, members] : barsOf(results)) {
     double total = 0.0;
-    for (const Json& time : stages) total += time.get<double>();
-    block += fmt::format("\n\"{}, {}, {}\"", viewOf(result), sizeOf(result), result["samples"].get<int>());
-    for (const std::string& name : names)
-      block += fmt::format(" {}", stages.value(name, 0.0) / total * 100.0);
+    for (const std::string& name : names) total += totalOf(members, name);
+    block += fmt::format("\n\"{}\"", bar);
+    for (const std::string& name : names) block += fmt::format(" {}", totalOf(members, name) / total * 100.0);
   }
   return block + "\nEOD\n" + axes("Where the technique's time goes", "", "share of the time, %") +
          fmt::format(
              "set style data histograms\nset style histogram rowstacked\nset style fill solid 0.9\n"
-             "set boxwidth 0.8\nset yrange [0:100]\nset xtics rotate by 90 right\nset bmargin 13\nset key "
+             "set boxwidth 0.8\nset yrange [0:100]\nset xtics rotate by 90 right\nset bmargin 15\nset key "
              "invert\n"
              "plot for [column=2:{}] $stages using column:xtic(1) title columnheader(column)\n",
              names.size() + 1);
@@ -136,6 +125,9 @@ std::string stageShares(const std::vector<Json>& results) {
 std::optional<std::vector<fs::path>> drawPlots(const Json& report, const fs::path& directory) {
   const std::vector<Json> results = timedResults(report);
   const std::vector<std::pair<fs::path, std::string>> scripts{
+      {"mean-speedup-by-size.svg", meanSpeedupBySize(results)},
+      {"mean-speedup-by-samples.svg", meanSpeedupBySamples(results)},
+      {"errors.svg", errorBoxes(report)},
       {"speedup-by-size.svg", speedupBySize(results)},
       {"speedup-by-samples.svg", speedupBySamples(results)},
       {"error-against-time.svg", errorAgainstTime(results)},
