@@ -12,10 +12,12 @@
 #include "host/commands/bench_plots.h"
 #include "host/commands/bench_scenes.h"
 #include "host/commands/bench_suite.h"
+#include "host/commands/bench_summary.h"
 #include "host/commands/commands.h"
 #include "host/commands/options.h"
 #include "host/commands/output.h"
 #include "host/commands/usage_error.h"
+#include "host/measure/text_table.h"
 
 namespace host {
 namespace fs = std::filesystem;
@@ -61,7 +63,7 @@ void writeReport(const Json& report, const fs::path& folder) {
   const auto plots = drawPlots(report, folder);
   if (!plots)
     fmt::print(stderr, "mres: No plots were drawn; install gnuplot (apt-get install gnuplot-nox).\n");
-  writeTextFile(folder / "report.html", makePage(report, plots.value_or(std::vector<fs::path>())));
+  writeTextFile(folder / "report.html", makePage(report, plots.value_or(std::vector<fs::path>()), folder));
 }
 
 void runBench(const BenchOptions& options) {
@@ -75,8 +77,8 @@ void runBench(const BenchOptions& options) {
   if (options.json)
     fmt::print("{}", toText(report));
   else
-    fmt::print("{}\nresults.json and report.html are in {}\n", toTable(report),
-               fs::weakly_canonical(output.path()).string());
+    fmt::print("{}\n{}\nresults.json and report.html are in {}\n", toTable(report),
+               formatTable(summaryRows(report)), fs::weakly_canonical(output.path()).string());
   if (const std::size_t count = campaign.scenesLeftOut(); count > 0)
     throw std::runtime_error(fmt::format("{} of the scenes could not be loaded.", count));
 }

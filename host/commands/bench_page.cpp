@@ -1,85 +1,126 @@
 #include "host/commands/bench_page.h"
 
+#include <algorithm>
 #include <array>
 #include <fmt/format.h>
-#include <utility>
+#include <kainjow/mustache.hpp>
+#include <map>
+#include <span>
+#include <stdexcept>
+#include <system_error>
+
+#include "host/commands/bench_summary.h"
+#include "host/commands/plot_script.h"
+#include "host/image/data_uri.h"
 
 namespace host {
+std::span<const PageFile> pageFiles();  // generated
+
+namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* kStyle =
-    R"(body{font:16px/1.5 system-ui,sans-serif;color:#222;max-width:1200px;margin:2em auto;padding:0 1em}
-table{border-collapse:collapse;font-variant-numeric:tabular-nums}
-td,th{padding:.25em .8em;text-align:right;border-bottom:1px solid #ddd}
-td:first-child,th:first-child{text-align:left}
-.pictures{display:grid;grid-template-columns:repeat(auto-fit,minmax(340px,1fr));gap:1em}
-figure{margin:0}img{max-width:100%}figcaption{color:#555})";
+using kainjow::mustache::data;
+using List = kainjow::mustache::list;
+using Object = kainjow::mustache::object;
 
-constexpr std::array<std::pair<const char*, const char*>, 5> kShown{
-    {{"full", "full resolution"},
-     {"mres", "multi-resolution"},
-     {"difference", "difference, 8 times enhanced"},
-     {"edges", "edges: red normals, green depth"},
-     {"levels", "levels: red full, green half, blue quarter, black eighth"}}};
+std::string pageFile(std::string_view name) {
+  const auto file = std::ranges::find(pageFiles(), name, &PageFile::name);
+  if (file == pageFiles().end()) throw std::logic_error(fmt::format("there is no page file '{}'", name));
+  return std::string(file->text);
+}
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char letter : text) {
-    if (letter == '&')
-      result += "&amp;";
-    else if (letter == '<')
-      result += "&lt;";
-    else if (letter == '"')
-      result += "&quot;";
-    else
-      result += letter;
+data cellsOf(const std::vector<std::string>& cells) {
+  return List(cells.begin(), cells.end());
+}
+
+data tableOf(const std::vector<std::vector<std::string>>& rows) {
+  List body;
+  for (std::size_t i = 1; i < rows.size(); ++i) body.push_back(Object{{"cells", cellsOf(rows[i])}});
+  return Object{{"titles", cellsOf(rows.front())}, {"rows", body}};
+}
+
+data plotsOf(const std::vector<fs::path>& plots, const fs::path& folder) {
+  List list;
+  for (const fs::path& plot : plots)
+    list.push_back(Object{{"name", plot.stem().string()}, {"uri", dataUri(folder / plot, "image/svg+xml")}});
+  return list;
+}
+
+/// What a view shows, by the report's names. The level map has few colours and sharp borders: no JPEG.
+constexpr std::array kPhotographs{"full", "mres", "difference"};
+constexpr const char* kLevelMap = "levels";
+
+bool hasPictures(const Json& result, const fs::path& folder) {
+  const auto isThere = [&](const char* subject) {
+    std::error_code ignored;  // what cannot be looked at cannot be shown
+    const Json& pictures = result["pictures"];
+    return pictures.contains(subject) &&
+           fs::is_regular_file(folder / pictures[subject].get<std::string>(), ignored);
+  };
+  return std::ranges::all_of(kPhotographs, isThere) && isThere(kLevelMap);
+}
+
+std::string figuresOf(const Json& result) {
+  std::string text;
+  if (!result["speedup"].is_null())
+    text += fmt::format("{:.2f} times as fast, ", result["speedup"].get<double>());
+  return text +
+         (result["error"].is_null() ? "" : fmt::format("RMS {:.4f}", result["error"]["rms"].get<double>()));
+}
+
+data viewOf(const Json& result, const fs::path& folder) {
+  const Json& pictures = result["pictures"];
+  Object view{{"title", fmt::format("{}, {}, {}", host::viewOf(result), workOf(result), sizeOf(result))},
+              {"figures", figuresOf(result)},
+              {"enhancement", fmt::format("{}", pictures.value("difference_enhancement", 1.0))}};
+  for (const char* subject : kPhotographs)
+    view[subject] = jpegDataUri(folder / pictures[subject].get<std::string>());
+  view[kLevelMap] = dataUri(folder / pictures[kLevelMap].get<std::string>(), "image/png");
+  return view;
+}
+
+List viewsOf(const Json& report, const fs::path& folder) {
+  List views;
+  for (const Json& result : report["results"])
+    if (hasPictures(result, folder)) views.push_back(viewOf(result, folder));
+  return views;
+}
+
+/// Of each effect, with the samples that the tables tell left out.
+data settingsOf(const Json& report) {
+  std::map<std::string, List> effects;
+  for (const Json& result : report["results"]) {
+    List& entries = effects[result["effect"]];
+    if (!entries.empty()) continue;
+    for (const auto& [name, value] : result["settings"].items())
+      if (name != "samples") entries.push_back(Object{{"name", name}, {"value", value.dump()}});
   }
-  return result;
-}
-
-std::string row(const std::vector<std::string>& cells, const char* tag) {
-  std::string text = "<tr>";
-  for (const std::string& cell : cells) text += fmt::format("<{0}>{1}</{0}>", tag, escaped(cell));
-  return text + "</tr>\n";
-}
-
-std::string table(const Json& report) {
-  std::string text = "<table>\n";
-  bool heading = true;
-  for (const auto& cells : tableRows(report)) text += row(cells, std::exchange(heading, false) ? "th" : "td");
-  return text + "</table>\n";
-}
-
-std::string figure(const std::string& file, const std::string& caption) {
-  return fmt::format(
-      "<figure><a href=\"{0}\"><img src=\"{0}\" alt=\"{1}\"></a><figcaption>{1}</figcaption></figure>\n",
-      escaped(file), escaped(caption));
-}
-
-std::string pictures(const Json& result) {
-  const Json& files = result["pictures"];
-  if (files.empty()) return "";
-  std::string text = fmt::format("<h2>{}, camera {}</h2>\n<div class=\"pictures\">\n",
-                                 escaped(result["scene"].get<std::string>()), result["camera"].get<int>());
-  for (const auto& [subject, caption] : kShown)
-    if (files.contains(subject)) text += figure(files[subject].get<std::string>(), caption);
-  return text + "</div>\n";
+  List list;
+  for (const auto& [effect, entries] : effects)
+    list.push_back(Object{{"effect", effect}, {"entries", entries}});
+  return list;
 }
 
 }  // namespace
 
-std::string makePage(const Json& report, const std::vector<std::filesystem::path>& plots) {
+std::string makePage(const Json& report, const std::vector<fs::path>& plots, const fs::path& folder) {
   const Json& machine = report["machine"];
-  std::string page = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>mres "
-      "bench</title>\n<style>{}</style>\n"
-      "<h1>Multi-resolution against full resolution</h1>\n<p>{}, {} cores. Times are medians of interleaved "
-      "runs.</p>\n",
-      kStyle, escaped(machine["renderer"].get<std::string>()), machine["cores"].get<int>());
-  page += table(report);
-  for (const auto& plot : plots) page += figure(plot.generic_string(), "");
-  for (const Json& result : report["results"]) page += pictures(result);
-  return page + "</html>\n";
+  const List views = viewsOf(report, folder);
+  Object page{{"style", pageFile("style.css")},
+              {"script", pageFile("script.js")},
+              {"renderer", machine.value("renderer", "")},
+              {"driver", machine.value("version", "")},
+              {"cores", machine.value("cores", Json(0)).dump()},
+              {"version", report["version"].get<std::string>()},
+              {"date", report.value("date", "")},
+              {"summary", tableOf(summaryRows(report))},
+              {"plots", plotsOf(plots, folder)},
+              {"has_views", !views.empty()},
+              {"views", views},
+              {"table", tableOf(tableRows(report))},
+              {"settings", settingsOf(report)}};
+  kainjow::mustache::mustache pageTemplate(pageFile("page.html"));
+  return pageTemplate.render(page);
 }
 
 }  // namespace host

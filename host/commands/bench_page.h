@@ -2,13 +2,23 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "host/measure/report.h"
 
 namespace host {
 
-/// The report as a web page: table, plots, pictures; files relative to it.
-std::string makePage(const Json& report, const std::vector<std::filesystem::path>& plots);
+/// A file of report_page/, embedded.
+struct PageFile {
+  std::string_view name;
+  std::string_view text;
+};
+
+/// The report as a web page that needs no other file: summary, plots, pictures, table and settings. `plots`,
+/// and the pictures that the report names, are files relative to `folder`; of pictures that are gone, nothing
+/// is shown.
+std::string makePage(const Json& report, const std::vector<std::filesystem::path>& plots,
+                     const std::filesystem::path& folder);
 
 }  // namespace host

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <ctime>
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <fstream>
 #include <stdexcept>
@@ -34,6 +36,11 @@ Json readReport(const std::filesystem::path& file, const Json& empty) {
   return report;
 }
 
+/// The UTC day.
+std::string today() {
+  return fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr)));
+}
+
 bool isSamePicture(const Json& a, const Json& b) {
   return std::ranges::all_of(kIdentity, [&](const char* field) { return a.at(field) == b.at(field); });
 }
@@ -42,6 +49,7 @@ bool isSamePicture(const Json& a, const Json& b) {
 
 BenchResults::BenchResults(std::filesystem::path file, const Machine& machine, bool resume)
     : file_(std::move(file)), report_(makeReport(machine)) {
+  report_["date"] = today();
   std::error_code ignored;  // a file that cannot be looked at cannot be replaced either, which is told then
   if (resume && std::filesystem::exists(file_, ignored)) report_ = readReport(file_, report_);
 }

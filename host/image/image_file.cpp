@@ -33,6 +33,8 @@ OIIO::ImageSpec specFor(const FloatImage& image, const Writer& writer) {
   OIIO::ImageSpec spec(image.size.x, image.size.y, image.channels, writer.pixelType);
   spec.attribute("oiio:ColorSpace", writer.colorSpace);
   spec.attribute("oiio:UnassociatedAlpha", 1);  // the values are stored as they are
+  spec.attribute("Compression", "jpeg:95");     // of JPEG; others take no notice
+  spec.attribute("jpeg:subsampling", "4:4:4");
   return spec;
 }
 
@@ -145,6 +147,11 @@ void writeImage(const std::filesystem::path& path, const FloatImage& image) {
   } catch (const std::exception& error) {
     throw std::runtime_error(fmt::format("can't write '{}': {}", path.string(), error.what()));
   }
+}
+
+std::vector<unsigned char> encodeJpeg(const FloatImage& image) {
+  checkImage(image);
+  return encode(image, {"jpeg", OIIO::TypeDesc::UINT8, "sRGB"});
 }
 
 FloatImage readImage(const std::filesystem::path& path) {

@@ -24,6 +24,9 @@ std::optional<ImageFormat> imageFormatOf(const std::filesystem::path& path);
 /// std::runtime_error with a sentence.
 void writeImage(const std::filesystem::path& path, const FloatImage& image);
 
+/// The bytes of a JPEG file of high quality, of values as writeImage() takes them for .png.
+std::vector<unsigned char> encodeJpeg(const FloatImage& image);
+
 /// Reads any image OpenImageIO can, as floating point.
 FloatImage readImage(const std::filesystem::path& path);
 

@@ -12,6 +12,8 @@
 #include "host/commands/bench_page.h"
 #include "host/commands/bench_plots.h"
 #include "host/commands/bench_results.h"
+#include "host/commands/bench_summary.h"
+#include "host/image/image_file.h"
 
 namespace host {
 namespace {
@@ -38,6 +40,11 @@ Measurement measurementOf(int camera, glm::ivec2 size, int samples) {
   measurement.coverage = {0.1, 1.0};
   measurement.stages = {{"edges", 3.0}, {"level0", 7.0}};
   return measurement;
+}
+
+std::string contentsOf(const fs::path& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 class Bench : public testing::Test {
@@ -173,21 +180,97 @@ TEST_F(Bench, PlotsAreDrawnFromTheReportAlone) {
   if (!plots) GTEST_SKIP() << "gnuplot is not installed";
   EXPECT_THAT(*plots, testing::ElementsAre("plots/speedup-by-size.svg", "plots/speedup-by-samples.svg",
                                            "plots/error-against-time.svg", "plots/stages.svg"));
-  for (const fs::path& plot : *plots) {
-    std::ifstream stream(folder_ / plot);
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
-    EXPECT_THAT(text, AllOf(HasSubstr("<svg"), HasSubstr("</svg>"))) << plot;
-  }
+  for (const fs::path& plot : *plots)
+    EXPECT_THAT(contentsOf(folder_ / plot), AllOf(HasSubstr("<svg"), HasSubstr("</svg>"))) << plot;
 }
 
-TEST_F(Bench, ThePageShowsTablePlotsAndPicturesWithNamesEscaped) {
+TEST_F(Bench, ManyViewsAreDrawnAsMeansAndBoxes) {
+  BenchResults results(file(), kMachine, false);
+  for (int camera = 0; camera < 13; ++camera) {
+    for (const int samples : {16, 32, 64}) results.add(measurementOf(camera, {1920, 1080}, samples));
+    results.add(measurementOf(camera, {3840, 2160}, 64));
+  }
+  const auto plots = drawPlots(results.report(), folder_);
+  if (!plots) GTEST_SKIP() << "gnuplot is not installed";
+  EXPECT_THAT(*plots,
+              testing::ElementsAre("plots/mean-speedup-by-size.svg", "plots/mean-speedup-by-samples.svg",
+                                   "plots/errors.svg", "plots/error-against-time.svg", "plots/stages.svg"));
+  EXPECT_THAT(contentsOf(folder_ / "plots/mean-speedup-by-size.svg"),
+              HasSubstr("ssao, 64 samples, 13 views"));
+  EXPECT_THAT(contentsOf(folder_ / "plots/mean-speedup-by-samples.svg"),
+              HasSubstr("ssao, 1920x1080, 13 views"));
+  // The largest pictures that most views have.
+  EXPECT_THAT(contentsOf(folder_ / "plots/errors.svg"), HasSubstr("3840x2160"));
+}
+
+/// A tiny picture under each name that a page shows.
+Json picturesIn(const fs::path& folder) {
+  Json pictures{{"difference_enhancement", 8.0}};
+  for (const char* subject : {"full", "mres", "difference", "levels"}) {
+    const std::string file = std::string(subject) + ".png";
+    writeImage(folder / file, {{8, 4}, 3, std::vector<float>(8 * 4 * 3, 0.5f)});
+    pictures[subject] = file;
+  }
+  return pictures;
+}
+
+std::size_t countOf(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+TEST_F(Bench, ThePageHoldsAllThatItShows) {
   Measurement measurement = measurementOf(0, {64, 64}, 16);
-  measurement.pictures = {{"full", "pictures/full.png"}};
+  measurement.pictures = picturesIn(folder_);
   BenchResults results(file(), kMachine, false);
   results.add(measurement);
-  EXPECT_THAT(makePage(results.report(), {"plots/stages.svg"}),
-              AllOf(HasSubstr("hall &lt;1>"), HasSubstr("2.00x"), HasSubstr("plots/stages.svg"),
-                    HasSubstr("pictures/full.png"), testing::Not(HasSubstr("hall <1>"))));
+  results.add(measurementOf(1, {64, 64}, 16));
+  std::ofstream(folder_ / "stages.svg") << "<svg/>";
+  const std::string page = makePage(results.report(), {"stages.svg"}, folder_);
+  EXPECT_THAT(page, AllOf(HasSubstr("hall &lt;1&gt;"), HasSubstr("2.00x"), HasSubstr("llvmpipe"),
+                          HasSubstr(results.report()["version"].get<std::string>()),
+                          HasSubstr(results.report()["date"].get<std::string>()),
+                          HasSubstr("difference, 8 times enhanced"), testing::Not(HasSubstr("hall <1>")),
+                          testing::Not(HasSubstr("{{"))));
+  EXPECT_EQ(countOf(page, "src=\"data:image/jpeg;base64,"), 3U);
+  EXPECT_EQ(countOf(page, "src=\"data:image/png;base64,"), 1U);
+  EXPECT_EQ(countOf(page, "src=\"data:image/svg+xml;base64,"), 1U);
+  EXPECT_EQ(countOf(page, "src="), 5U) << "something is not in the page";
+  EXPECT_EQ(countOf(page, "http:") + countOf(page, "https:") + countOf(page, "url("), 0U);
+}
+
+TEST_F(Bench, ThePageDoesWithoutPicturesThatAreGone) {
+  Measurement measurement = measurementOf(0, {64, 64}, 16);
+  measurement.pictures = picturesIn(folder_);
+  fs::remove(folder_ / "mres.png");
+  BenchResults results(file(), kMachine, false);
+  results.add(measurement);
+  EXPECT_EQ(countOf(makePage(results.report(), {}, folder_), "src="), 0U);
+}
+
+TEST_F(Bench, ThePageIsWellFormed) {
+  Measurement measurement = measurementOf(0, {64, 64}, 16);
+  measurement.pictures = picturesIn(folder_);
+  BenchResults results(file(), kMachine, false);
+  results.add(measurement);
+  std::string page = makePage(results.report(), {}, folder_);
+  for (const std::string tag : {"html", "head", "body", "style", "script", "table", "thead", "tbody", "tr",
+                                "td", "th", "figure", "div", "button", "details"})
+    EXPECT_EQ(countOf(page, "<" + tag + ">") + countOf(page, "<" + tag + " "),
+              countOf(page, "</" + tag + ">"))
+        << tag;
+}
+
+TEST(BenchSummary, HasARowForEachEffectSamplesAndSize) {
+  Json report = makeReport(kMachine);
+  for (const int camera : {0, 1}) report["results"].push_back(toJson(measurementOf(camera, {64, 64}, 16)));
+  report["results"].push_back(toJson(measurementOf(0, {32, 32}, 16)));
+  report["results"][0]["speedup"] = 3.0;
+  const auto rows = summaryRows(report);
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_THAT(rows[2], testing::ElementsAre("ssao", "16", "64x64", "2", "2.50x", "2.00x", "3.00x", "0.0100",
+                                            "0.0100", "0.0100"));
 }
 
 }  // namespace
