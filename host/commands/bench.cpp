@@ -100,7 +100,7 @@ void addBenchCommand(CLI::App& app, Action& action) {
       ->type_name("DIR|FILE...")
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_flag("--thorough", options->suite.thorough,
-                    "with --suite paper: every view with every number of samples, in twice the time");
+                    "with --suite paper: every view with every number of samples, which takes hours");
   command
       ->add_option_function<std::string>(
           "-o,--output", [options](const std::string& folder) { options->output = folder; },

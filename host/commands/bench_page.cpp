@@ -112,13 +112,13 @@ std::string makePage(const Json& report, const std::vector<fs::path>& plots, con
               {"driver", machine.value("version", "")},
               {"cores", machine.value("cores", Json(0)).dump()},
               {"version", report["version"].get<std::string>()},
-              {"date", report.value("date", "")},
               {"summary", tableOf(summaryRows(report))},
               {"plots", plotsOf(plots, folder)},
               {"has_views", !views.empty()},
               {"views", views},
               {"table", tableOf(tableRows(report))},
               {"settings", settingsOf(report)}};
+  if (report.contains("date")) page["date"] = report["date"].get<std::string>();
   kainjow::mustache::mustache pageTemplate(pageFile("page.html"));
   return pageTemplate.render(page);
 }

@@ -97,9 +97,8 @@ std::string scriptOf(const std::vector<Box>& boxes) {
   }
   return blocks + axes("Error of all views", "", "RMS error") +
          fmt::format(
-             "unset key\nset yrange [0:*]\nset xrange [0.4:{}.6]\nset boxwidth 0.4\nset style fill solid "
-             "0.3\n"
-             "set style boxplot outliers pointtype 7\nset xtics ({})\n{}\n",
+             "unset key\nset bmargin 4\nset xrange [0.4:{}.6]\nset yrange [0:*]\nset boxwidth 0.4\n"
+             "set style fill solid 0.3\nset style boxplot outliers pointtype 7\nset xtics ({})\n{}\n",
              boxes.size(), tics, commands);
 }
 
