@@ -44,7 +44,7 @@ class SettingsTable {
 
   template <class Value>
   void addSetting(const std::string& name, Value& member, const mres::SettingInfo& info) {
-    entries_.push_back({name, info, std::is_integral_v<Value>,
+    entries_.push_back({name, info, std::is_integral_v<Value> || std::is_enum_v<Value>,
                         [&member](double value) { member = static_cast<Value>(value); },
                         [&member] { return toJsonValue(member); }});
   }
