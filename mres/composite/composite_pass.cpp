@@ -8,15 +8,14 @@
 namespace mres {
 namespace {
 
-std::string defines(const EffectDescription& effect, LevelRole role, bool progressive = false) {
+std::string defines(const EffectDescription& effect, LevelRole role) {
   const auto define = [](const char* name, int value) {
     return std::string("#define ") + name + ' ' + std::to_string(value) + '\n';
   };
   return define("DISJOINT", 0) + define("EFFECT_CHANNELS", effect.channels) +
          define("FILTERED", effect.filtered ? 1 : 0) +
          define("COARSEST", role == LevelRole::coarsest ? 1 : 0) +
-         define("REFINABLE", role == LevelRole::intermediate ? 1 : 0) +
-         define("PROGRESSIVE", progressive ? 1 : 0);
+         define("REFINABLE", role == LevelRole::intermediate ? 1 : 0);
 }
 
 }  // namespace
@@ -31,7 +30,6 @@ CompositePass::CompositePass(const gl::ShaderLibrary& library, const EffectDescr
 CompositePass::ZonePrograms CompositePass::makeZonePrograms(const gl::ShaderLibrary& library,
                                                             const EffectDescription& effect, LevelRole role) {
   return {.blend = makePassProgram(library, "mres/composite.frag", defines(effect, role)),
-          .blendProgressively = makePassProgram(library, "mres/composite.frag", defines(effect, role, true)),
           .outside = makePassProgram(library, "mres/outside_zone.frag", defines(effect, role))};
 }
 
@@ -81,14 +79,12 @@ void CompositePass::drawOutsideZone(PassContext& context, const LevelTargets& le
 void CompositePass::drawZone(PassContext& context, const LevelTargets& level, const ZoneInputs& inputs) {
   const gl::Texture2D& source = filterAlongX(context, level);
   const gl::Scope scope(context.profiler, "mres.composite");
-  const ZonePrograms& programs = programsOf(level);
   gl::bindTexture(kSourceUnit, source.id(), context.nearest);
   gl::bindTexture(kCoarserUnit, inputs.coarser->id(), context.linear);
   gl::bindTexture(kMaskUnit, inputs.mask->id(), context.linear);
-  if (inputs.refine != nullptr) gl::bindTexture(kRefineUnit, inputs.refine->id(), context.linear);
   level.composed().bind();
   drawInZone();
-  glUseProgram(inputs.refine != nullptr ? programs.blendProgressively.id() : programs.blend.id());
+  glUseProgram(programsOf(level).blend.id());
   context.triangle.draw();
   glDisable(GL_STENCIL_TEST);
 }

@@ -31,7 +31,6 @@ class CompositePass {
   /// Programs of a zoned level, by whether a finer one follows (then they also write where to refine).
   struct ZonePrograms {
     gl::Program blend;
-    gl::Program blendProgressively;
     gl::Program outside;
   };
   static ZonePrograms makeZonePrograms(const gl::ShaderLibrary& library, const EffectDescription& effect,

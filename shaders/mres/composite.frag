@@ -1,13 +1,12 @@
 #version 330 core
 // Second half of the filter (along y), and the blend over the coarser level:
 //   c'_i = c_i min(a_i w_i, 1) + c'_(i+1) (1 - min(a_i w_i, 1))        (equation 1; i + 1 is the coarser level)
-// FILTERED: whether the effect is filtered. COARSEST: there is no coarser level. PROGRESSIVE: the coarser level said
-// where to refine. REFINABLE: a finer level follows and wants to know where this one changed the picture.
+// FILTERED: whether the effect is filtered. COARSEST: there is no coarser level. REFINABLE: a finer level follows and wants
+// to know where this one changed the picture.
 #include "mres/filter.glsl"
 
 uniform sampler2D coarserTexture;
 uniform sampler2D maskTexture;
-uniform sampler2D refineTexture;
 
 layout(location = 0) out vec4 fragment;
 #if REFINABLE
@@ -28,9 +27,6 @@ void main() {
 #if !COARSEST
     ivec2 fullPixel = representativePixel(levelPixel, size);
     float alpha = min(texture(maskTexture, maskCoordinate(fullPixel)).r * blendWeight, 1.0);
-#if PROGRESSIVE
-    alpha *= refinement(refineTexture, fullPixel);
-#endif
     Value coarser = VALUE(texture(coarserTexture, coarserCoordinate(fullPixel)));
 #if REFINABLE
     refine = largest(abs(value - coarser)) > refineThreshold ? 1.0 : 0.0;

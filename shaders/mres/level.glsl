@@ -19,14 +19,6 @@ float largestAtCorners(sampler2D source, vec2 low, vec2 high) {
                max(texture(source, vec2(low.x, high.y)).r, texture(source, high).r));
 }
 
-// The coarser level's word on where refining it shows, 0..1.
-float refinement(sampler2D refineTexture, ivec2 fullPixel) {
-    vec2 place = coarserCoordinate(fullPixel);
-    if (refineReach == vec2(0.0)) return min(2.0 * texture(refineTexture, place).r, 1.0);
-    vec2 low = place - refineReach, high = place + refineReach;
-    return min(2.0 * largestAtCorners(refineTexture, low, high), 1.0);
-}
-
 vec2 maskCoordinate(ivec2 fullPixel) {
     return (vec2(fullPixel) + 0.5) * maskFromPixel;
 }

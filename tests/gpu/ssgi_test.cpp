@@ -136,7 +136,7 @@ TEST_F(SsgiTest, ARedWallTintsTheFloorBesideItAndNothingFarAway) {
   const LitPicture lit = facingPicture(gbuffer, {0.0f, 0.0f, 1.0f}, {1.0f, 0.0f, 0.0f}, kWhite);
   for (const Technique technique : {Technique::full, Technique::multiResolution}) {
     const Image image = render(gbuffer, {.samples = 64}, {.radiance = lit.texture.id()}, technique);
-    const float nothing = technique == Technique::full ? 0.0f : 0.05f;  // the refinement's threshold
+    const float nothing = technique == Technique::full ? 0.0f : MaskSettings{}.refineThreshold;
     float before = 1.0f;
     for (const double distance : {0.25, 0.5, 0.75}) {
       const glm::ivec2 pixel = pixelOf(projection, size, {0.0, -1.0, -5.0 + distance});
