@@ -8,8 +8,8 @@ constexpr const char* kShader = "mres/importance.frag";
 }  // namespace
 
 ImportancePass::ImportancePass(const gl::ShaderLibrary& library)
-    : maximum_(makePassProgram(library, kShader, "#define COMBINE max\n")),
-      minimum_(makePassProgram(library, kShader, "#define COMBINE min\n")) {}
+    : maximum_(makePassProgram(library, kShader, "#define BY_MINIMUM 0\n")),
+      minimum_(makePassProgram(library, kShader, "#define BY_MINIMUM 1\n")) {}
 
 const gl::Texture2D& ImportancePass::draw(PassContext& context, MaskCombination combination, int level,
                                           const gl::Texture2D& edges, const Frame& frame) {

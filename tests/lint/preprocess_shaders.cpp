@@ -42,6 +42,16 @@ void writeVariants(const mres::gl::ShaderLibrary& library, const std::string& na
   }
 }
 
+bool isShader(const fs::path& file) {
+  return file.extension() == ".vert" || file.extension() == ".frag";
+}
+
+/// Not every effect has a preview().
+bool compilesWith(const std::string& name, const mres::gl::ShaderLibrary& library) {
+  return name != "mres/preview.frag" ||
+         mres::gl::preprocess(library, "effect").text.find("preview(") != std::string::npos;
+}
+
 /// Every effect in turn takes the place of `#include "effect"`.
 void writeAll(const fs::path& shaders, const fs::path& output) {
   for (const auto& effect : fs::directory_iterator(shaders / "effects")) {
@@ -51,9 +61,10 @@ void writeAll(const fs::path& shaders, const fs::path& output) {
     library.add("effect", "#include \"effects/" + effect.path().filename().string() + "\"\n");
     const fs::path folder = output / effect.path().stem();
     fs::create_directories(folder);
-    for (const auto& entry : fs::recursive_directory_iterator(shaders))
-      if (entry.path().extension() == ".vert" || entry.path().extension() == ".frag")
-        writeVariants(library, fs::relative(entry.path(), shaders).generic_string(), folder);
+    for (const auto& entry : fs::recursive_directory_iterator(shaders)) {
+      const std::string name = fs::relative(entry.path(), shaders).generic_string();
+      if (isShader(name) && compilesWith(name, library)) writeVariants(library, name, folder);
+    }
   }
 }
 

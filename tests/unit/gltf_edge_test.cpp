@@ -155,7 +155,9 @@ TEST(GltfScenes, HaveTheTrianglesOfTheManifest) {
 TEST(GltfScenes, DecodeEveryKindOfImage) {
   const auto file = scenesFolder() / "edge/made_here/image_formats/image_formats.gltf";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "set MRES_SCENES to the folder with the test scenes";
+  testing::internal::CaptureStderr();
   const host::Scene scene = host::loadGltf(file);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "warnings tell it";
   EXPECT_EQ(scene.images.size(), 11U);  // of thirteen, one is cut short and one is no image
   EXPECT_THAT(scene.warnings, testing::Contains(testing::HasSubstr("truncated.png")));
   EXPECT_THAT(scene.warnings, testing::Contains(testing::HasSubstr("not_an_image.png")));

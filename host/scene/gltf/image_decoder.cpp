@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "host/files/silenced_stderr.h"
+
 namespace host::gltf {
 namespace {
 
@@ -64,6 +66,7 @@ std::vector<std::uint8_t> toRgba(const std::vector<std::uint8_t>& pixels, int ch
 
 Image decodeImage(std::span<const std::uint8_t> encoded) {
   const char* format = recogniseFormat(encoded);
+  const SilencedStderr silence;  // what is wrong is thrown
   OIIO::Filesystem::IOMemReader reader(encoded.data(), encoded.size());
   const auto input = openImage(reader, format);
   const OIIO::ImageSpec& spec = input->spec();
