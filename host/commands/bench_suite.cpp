@@ -47,8 +47,8 @@ Cases sortedDistinct(Cases cases) {
     return std::tuple(each.samples, each.size.x, each.size.y, each.camera);
   };
   std::ranges::sort(cases, {}, [&](const BenchCase& each) { return std::tuple(key(each), !each.pictures); });
-  const auto [first, last] = std::ranges::unique(cases, {}, key);
-  cases.erase(first, last);
+  const auto isSame = [&](const BenchCase& a, const BenchCase& b) { return key(a) == key(b); };
+  cases.erase(std::unique(cases.begin(), cases.end(), isSame), cases.end());
   return cases;
 }
 

@@ -67,6 +67,7 @@ std::vector<Box> boxesOf(const std::string& effect, const Json& results) {
     box.values.push_back(result["error"]["rms"].get<double>());
   }
   std::vector<Box> list;
+  list.reserve(boxes.size());
   for (auto& [key, box] : boxes) list.push_back(std::move(box));
   return list;
 }

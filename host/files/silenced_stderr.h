@@ -2,8 +2,8 @@
 
 namespace host {
 
-/// While it lives, nothing reaches the standard error stream: for libraries that print there besides returning
-/// the error, such as libpng. Not for several threads at once.
+/// While it lives, nothing reaches the standard error stream: for libraries that print there besides
+/// returning the error, such as libpng. Not for several threads at once.
 class SilencedStderr {
  public:
   SilencedStderr();

@@ -60,4 +60,9 @@ void PreviewPass::draw(PassContext& context, const MaskSettings& settings, glm::
   context.triangle.draw();
 }
 
+void PreviewPass::fill(float value) const {
+  bounds_.fill(value);
+  edges_.fill(value);
+}
+
 }  // namespace mres

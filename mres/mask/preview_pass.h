@@ -26,6 +26,7 @@ class PreviewPass {
 
   /// GL_RG8, ceil(size / 2): red the effect's edges, green the geometry's.
   [[nodiscard]] const gl::Texture2D& edges() const { return edges_.color(); }
+  void fill(float value) const;
   [[nodiscard]] std::size_t bytes() const { return bounds_.bytes() + edges_.bytes(); }
   explicit operator bool() const { return static_cast<bool>(preview_); }
 

@@ -92,17 +92,6 @@ ProcessResult runMres(const std::vector<std::string>& arguments,
   return RunningMres(arguments, environment).wait();
 }
 
-TemporaryFolder::TemporaryFolder() {
-  std::string name = (fs::temp_directory_path() / "mres-test-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a temporary folder");
-  path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
 std::string writeCornerScene(const TemporaryFolder& folder) {
   std::string path = folder / "corner.gltf";
   writeFile(path, kCornerScene);

@@ -5,6 +5,8 @@
 #include <sys/types.h>
 #include <vector>
 
+#include "tests/support/temporary_folder.h"
+
 namespace host::test {
 
 struct ProcessResult {
@@ -16,25 +18,6 @@ struct ProcessResult {
 /// Runs `mres` with `arguments`, and with `environment` ("NAME=value") on top of this process's own.
 ProcessResult runMres(const std::vector<std::string>& arguments,
                       const std::vector<std::string>& environment = {});
-
-/// A folder of its own for a test, removed at its end.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  TemporaryFolder(TemporaryFolder&&) = delete;
-  TemporaryFolder& operator=(TemporaryFolder&&) = delete;
-
-  [[nodiscard]] std::filesystem::path path() const { return path_; }
-  /// The path of a name in the folder, as an argument.
-  [[nodiscard]] std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-  [[nodiscard]] bool isEmpty() const { return std::filesystem::is_empty(path_); }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// `mres` while it runs.
 class RunningMres {

@@ -170,9 +170,9 @@ TEST(ShadowFitTest, CoversWhatIsSeenAndEveryCaster) {
   ASSERT_TRUE(fit.has_value());
   const CameraView view(camera, kSize);
   const glm::mat4 toMap = fit->clipMatrix(camera.position);
-  for (float x = -10.0f; x <= 10.0f; x += 0.5f) {
-    for (float z = -20.0f; z <= 20.0f; z += 0.5f) {
-      const glm::vec3 point = glm::vec3(x, 0.0f, z) - camera.position;
+  for (int x = -20; x <= 20; ++x) {
+    for (int z = -40; z <= 40; ++z) {
+      const glm::vec3 point = 0.5f * glm::vec3(x, 0, z) - camera.position;
       const glm::vec4 clip = view.worldToClip * glm::vec4(point, 1.0f);
       if (glm::any(glm::greaterThan(glm::abs(glm::vec3(clip)), glm::vec3(clip.w)))) continue;
       const glm::vec3 inMap(toMap * glm::vec4(point, 1.0f));

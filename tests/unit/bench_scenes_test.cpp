@@ -6,7 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdexcept>
-#include <unistd.h>
+
+#include "tests/support/temporary_folder.h"
 
 namespace host {
 namespace {
@@ -16,29 +17,21 @@ using testing::ElementsAre;
 
 class BenchScenes : public testing::Test {
  protected:
-  BenchScenes() : folder_(fs::temp_directory_path() / ("mres-scenes-test-" + std::to_string(getpid()))) {
+  BenchScenes() {
     for (const char* file : {"box.glb", "a/scene.gltf", "a/scene.bin", "b/scene.GLTF", "b/c/scene.glb",
                              "b/c/scene.gltf", "empty/readme.txt"}) {
       fs::create_directories((folder_ / file).parent_path());
       std::ofstream(folder_ / file) << "";
     }
   }
-  ~BenchScenes() override {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-  BenchScenes(const BenchScenes&) = delete;
-  BenchScenes& operator=(const BenchScenes&) = delete;
-  BenchScenes(BenchScenes&&) = delete;
-  BenchScenes& operator=(BenchScenes&&) = delete;
-
   [[nodiscard]] std::vector<std::string> namesOf(const std::vector<fs::path>& paths) const {
     std::vector<std::string> names;
     for (const BenchScene& scene : findScenes(paths)) names.push_back(scene.name);
     return names;
   }
 
-  fs::path folder_;
+  test::TemporaryFolder temporary_;
+  fs::path folder_ = temporary_.path();
 };
 
 TEST_F(BenchScenes, AreAllBelowAFolder) {

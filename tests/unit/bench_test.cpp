@@ -7,13 +7,13 @@
 #include <iterator>
 #include <map>
 #include <stdexcept>
-#include <unistd.h>
 
 #include "host/commands/bench_page.h"
 #include "host/commands/bench_plots.h"
 #include "host/commands/bench_results.h"
 #include "host/commands/bench_summary.h"
 #include "host/image/image_file.h"
+#include "tests/support/temporary_folder.h"
 
 namespace host {
 namespace {
@@ -49,25 +49,14 @@ std::string contentsOf(const fs::path& file) {
 
 class Bench : public testing::Test {
  protected:
-  Bench() : folder_(fs::temp_directory_path() / ("mres-bench-test-" + std::to_string(getpid()))) {
-    fs::create_directories(folder_);
-  }
-  ~Bench() override {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-  Bench(const Bench&) = delete;
-  Bench& operator=(const Bench&) = delete;
-  Bench(Bench&&) = delete;
-  Bench& operator=(Bench&&) = delete;
-
   [[nodiscard]] fs::path file() const { return folder_ / "results.json"; }
   void fillReport(BenchResults& results) {
     for (const int samples : {16, 64}) results.add(measurementOf(0, {1920, 1080}, samples));
     results.add(measurementOf(0, {3840, 2160}, 64));
   }
 
-  fs::path folder_;
+  test::TemporaryFolder temporary_;
+  fs::path folder_ = temporary_.path();
 };
 
 TEST_F(Bench, ResultsAreOnDiskAfterEachMeasurement) {
@@ -158,7 +147,8 @@ TEST_F(Bench, ResumingFromAFieldOfAnotherTypeIsRefused) {
                                                                 {"stages_ms", {{"edges", "fast"}}},
                                                                 {"settings", 3},
                                                                 {"pictures", {{"full", Json::array()}}}})
-    EXPECT_THAT(refusalOf(file(), [&](Json& report) { report["results"][0][field] = value; }),
+    EXPECT_THAT(refusalOf(file(), [&name = field,
+                                   &broken = value](Json& report) { report["results"][0][name] = broken; }),
                 HasSubstr("has a broken '" + field + "'"));
 }
 

@@ -9,22 +9,6 @@
 
 namespace gltf_test {
 
-TemporaryFolder::TemporaryFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "mres-test-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("can't make a temporary folder");
-  path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
-
-void TemporaryFolder::write(const std::string& name, std::string_view content) const {
-  std::ofstream stream(path_ / name, std::ios::binary);
-  stream.write(content.data(), std::streamsize(content.size()));
-}
-
 GltfFile::GltfFile() {
   json["asset"]["version"] = "2.0";
 }

@@ -1,4 +1,4 @@
-// What the glTF tests share: a folder of their own, and a builder of small files.
+// What the glTF tests share: a builder of small files.
 #pragma once
 
 #include <cstring>
@@ -9,27 +9,13 @@
 #include <vector>
 
 #include "host/scene/scene.h"
+#include "tests/support/temporary_folder.h"
 
 namespace gltf_test {
 
 using Json = nlohmann::json;
 
-/// A new empty folder, removed with everything in it.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  TemporaryFolder(TemporaryFolder&&) = delete;
-  TemporaryFolder& operator=(TemporaryFolder&&) = delete;
-
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  void write(const std::string& name, std::string_view content) const;
-
- private:
-  std::filesystem::path path_;
-};
+using host::test::TemporaryFolder;
 
 // glTF's numbers for component types.
 inline constexpr int kByte = 5120;

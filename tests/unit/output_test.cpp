@@ -1,8 +1,8 @@
 #include "host/commands/output.h"
 
+#include <climits>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <limits.h>
 #include <stdexcept>
 
 #include "gltf_test_file.h"

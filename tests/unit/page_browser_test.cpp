@@ -8,10 +8,10 @@
 #include <gtest/gtest.h>
 #include <memory>
 #include <string>
-#include <unistd.h>
 
 #include "host/commands/bench_page.h"
 #include "host/image/image_file.h"
+#include "tests/support/temporary_folder.h"
 
 namespace host {
 namespace {
@@ -62,18 +62,6 @@ std::string outputOf(const std::string& command) {
 
 class PageInBrowser : public testing::Test {
  protected:
-  PageInBrowser() : folder_(fs::temp_directory_path() / ("mres-page-test-" + std::to_string(getpid()))) {
-    fs::create_directories(folder_);
-  }
-  ~PageInBrowser() override {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-  PageInBrowser(const PageInBrowser&) = delete;
-  PageInBrowser& operator=(const PageInBrowser&) = delete;
-  PageInBrowser(PageInBrowser&&) = delete;
-  PageInBrowser& operator=(PageInBrowser&&) = delete;
-
   Json resultOf(int camera, double slowMs) {
     Measurement measurement;
     measurement.scene = "hall";
@@ -106,7 +94,8 @@ class PageInBrowser : public testing::Test {
         (folder_ / "profile").string() + "' --dump-dom 'file://" + file.string() + "'");
   }
 
-  fs::path folder_;
+  test::TemporaryFolder temporary_;
+  fs::path folder_ = temporary_.path();
 };
 
 TEST_F(PageInBrowser, ComparesSortsAndLogsNothing) {

@@ -1,0 +1,52 @@
+#include "mres/render/draw_masks.h"
+
+namespace mres {
+namespace {
+
+const gl::Texture2D& drawGeometryEdges(const PlannedFrame& planned, const params::FrameParams& params,
+                                       DepthFormat depth) {
+  const MaskSettings& settings = planned.settings.mask;
+  if (settings.minMaxMips) {
+    planned.shared.minMax.draw(planned.context, settings, params, depth, planned.plan);
+    return planned.shared.minMax.edges(0);
+  }
+  planned.shared.edges.draw(planned.context, settings, params, depth);
+  return planned.shared.edges.edges();
+}
+
+EdgeImages drawEdges(const PlannedFrame& planned, const params::FrameParams& params, DepthFormat depth) {
+  EdgeImages edges;
+  PreviewPass& preview = planned.passes.preview;
+  if (!preview || planned.settings.mask.geometryAlways)
+    edges.geometry = &drawGeometryEdges(planned, params, depth);
+  if (!preview) return edges;
+  preview.draw(planned.context, planned.settings.mask, params.size, edges.geometry);
+  edges.effect = &preview.edges();
+  return edges;
+}
+
+MaskSources maskSources(const PlannedFrame& planned, const EdgeImages& edges, const Frame& frame) {
+  const MaskSettings& settings = planned.settings.mask;
+  const auto combined = [&](int level, const gl::Texture2D& image) {
+    if (frame.importance == 0) return &image;
+    return &planned.shared.importance.draw(planned.context, settings.combination, level, image, frame);
+  };
+  MaskSources sources{.edges = combined(0, edges.effect != nullptr ? *edges.effect : *edges.geometry)};
+  if (!settings.minMaxMips || edges.geometry == nullptr) return sources;
+  for (std::size_t i = 1; !planned.isCoarsest(i); ++i) {
+    const int level = planned.level(i).index;
+    sources.joined.at(static_cast<std::size_t>(level)) = combined(level, planned.shared.minMax.edges(level));
+  }
+  return sources;
+}
+
+}  // namespace
+
+EdgeImages drawMasks(const PlannedFrame& planned, const Frame& frame, const params::FrameParams& params,
+                     DepthFormat depth) {
+  const EdgeImages edges = drawEdges(planned, params, depth);
+  planned.shared.masks.draw(planned.context, maskSources(planned, edges, frame), planned.plan);
+  return edges;
+}
+
+}  // namespace mres
