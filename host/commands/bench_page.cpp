@@ -118,6 +118,7 @@ std::string makePage(const Json& report, const std::vector<fs::path>& plots, con
               {"views", views},
               {"table", tableOf(tableRows(report))},
               {"settings", settingsOf(report)}};
+  if (const std::string commit = report.value("commit", ""); !commit.empty()) page["commit"] = commit;
   if (report.contains("date")) page["date"] = report["date"].get<std::string>();
   kainjow::mustache::mustache pageTemplate(pageFile("page.html"));
   return pageTemplate.render(page);

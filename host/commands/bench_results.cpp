@@ -33,6 +33,9 @@ Json readReport(const std::filesystem::path& file, const Json& empty) {
     refuse(file,
            fmt::format("it was measured by mres {}, and this is {}", report.at("version").get<std::string>(),
                        empty.at("version").get<std::string>()));
+  if (report.at("commit") != empty.at("commit"))
+    refuse(file, fmt::format("it was measured at commit {}, and this is {}", report.at("commit").dump(),
+                             empty.at("commit").dump()));
   return report;
 }
 

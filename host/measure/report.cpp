@@ -3,6 +3,8 @@
 #include <cmath>
 #include <thread>
 
+#include "host/measure/source_commit.h"
+
 namespace host {
 namespace {
 
@@ -86,6 +88,7 @@ Json makeReport(const Machine& machine) {
   return {
       {"schema", kSchema},
       {"version", MRES_VERSION},
+      {"commit", sourceCommit()},
       {"machine", {{"renderer", machine.renderer}, {"version", machine.version}, {"cores", machine.cores}}},
       {"results", Json::array()}};
 }

@@ -112,6 +112,7 @@ std::string faultOf(const Json& report) {
   if (!has<isWhole>(report, "schema") || report.at("schema") != makeReport({}).at("schema"))
     return "its schema is another one";
   if (!has<isText>(report, "version")) return "it names no version of mres";
+  if (!has<isText>(report, "commit")) return "it names no commit of mres";
   if (!has<isObject>(report, "machine")) return "it names no machine";
   if (!report.contains("results") || !report.at("results").is_array()) return "it has no list of results";
   for (std::size_t i = 0; i < report.at("results").size(); ++i)

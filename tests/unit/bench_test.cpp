@@ -120,7 +120,7 @@ TEST_F(Bench, ResumingFromASoundReportIsNotRefused) {
 }
 
 TEST_F(Bench, ResumingFromAReportThatLacksAFieldIsRefused) {
-  for (const char* field : {"schema", "version", "machine", "results"})
+  for (const char* field : {"schema", "version", "commit", "machine", "results"})
     EXPECT_THAT(refusalOf(file(), [&](Json& report) { report.erase(field); }), HasSubstr("--resume"))
         << field;
   for (const char* field : {"scene", "camera", "width", "height", "effect", "samples", "technique", "time_ms",
@@ -161,6 +161,7 @@ TEST_F(Bench, ResumingOnAnotherMachineOrByAnotherVersionIsRefused) {
   EXPECT_THAT(refusalOf(file(), [](Json& report) { report["machine"]["cores"] = 16; }),
               HasSubstr("another machine"));
   EXPECT_THAT(refusalOf(file(), [](Json& report) { report["version"] = "0.0.9"; }), HasSubstr("mres 0.0.9"));
+  EXPECT_THAT(refusalOf(file(), [](Json& report) { report["commit"] = "abc"; }), HasSubstr("commit \"abc\""));
 }
 
 TEST_F(Bench, PlotsAreDrawnFromTheReportAlone) {
@@ -220,6 +221,7 @@ TEST_F(Bench, ThePageHoldsAllThatItShows) {
   const std::string page = makePage(results.report(), {"stages.svg"}, folder_);
   EXPECT_THAT(page, AllOf(HasSubstr("hall &lt;1&gt;"), HasSubstr("2.00x"), HasSubstr("llvmpipe"),
                           HasSubstr(results.report()["version"].get<std::string>()),
+                          HasSubstr(results.report()["commit"].get<std::string>()),
                           HasSubstr(results.report()["date"].get<std::string>()),
                           HasSubstr("difference, 8 times enhanced"), testing::Not(HasSubstr("hall <1>")),
                           testing::Not(HasSubstr("{{"))));

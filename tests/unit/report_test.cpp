@@ -49,6 +49,7 @@ TEST(Report, HasTheFieldsThatScriptsRelyOn) {
   const Json report = Json::parse(toText(reportOf({example()})));
   EXPECT_EQ(report["schema"], 1);
   EXPECT_TRUE(report["version"].is_string());
+  EXPECT_TRUE(report["commit"].is_string());
   EXPECT_EQ(report["machine"].dump(), R"({"renderer":"llvmpipe","version":"4.5","cores":2})");
   const Json& result = report["results"][0];
   EXPECT_EQ(result["scene"], "hall");
