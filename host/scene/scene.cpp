@@ -14,6 +14,7 @@
 
 #include "host/scene/auto_cameras.h"
 #include "host/scene/builtin/builtin_scenes.h"
+#include "host/scene/camera_file.h"
 #include "host/scene/gltf/gltf_loader.h"
 
 namespace host {
@@ -46,12 +47,13 @@ Light defaultSun() {
   return sun;
 }
 
-/// Gives a file what it need not have but a picture needs.
+/// Gives a file what it need not have but a picture needs, and the cameras that users put beside it.
 Scene completed(Scene scene, const std::string& path) {
   if (triangleCount(scene) == 0) {
     throw std::runtime_error(
         fmt::format("'{}' has nothing to draw: no triangles in its scene; name another file", path));
   }
+  if (auto cameras = camerasBeside(path, boundsOf(scene))) scene.cameras = std::move(*cameras);
   if (scene.cameras.empty()) scene.cameras = automaticCameras(scene);
   if (scene.lights.empty()) scene.lights.push_back(defaultSun());
   return scene;

@@ -188,4 +188,52 @@ TEST(LoadScene, FilesGetTheCamerasAndLightsTheyLack) {
   EXPECT_LT(scene.lights[0].direction.y, 0.0f);
 }
 
+class CameraFile : public testing::Test {
+ protected:
+  CameraFile() {
+    gltf_test::GltfFile file;
+    file.addSquare();
+    folder_.write("square.glb", file.glb());
+  }
+  void writeCameras(std::string_view json) const { folder_.write("square.cameras.json", json); }
+  [[nodiscard]] std::string path() const { return folder_ / "square.glb"; }
+
+ private:
+  gltf_test::TemporaryFolder folder_;
+};
+
+TEST_F(CameraFile, BesideASceneReplacesItsCameras) {
+  writeCameras(R"([{"name": "front", "position": [0, 0, 4], "target": [0, 0, 0], "vertical_fov": 60},
+                   {"position": [3, 0, 0], "target": [0, 0, 0]}])");
+  const host::Scene scene = host::loadScene(path());
+  ASSERT_EQ(scene.cameras.size(), 2U);
+  const host::Camera& front = scene.cameras[0];
+  EXPECT_EQ(front.name, "front");
+  EXPECT_EQ(front.position, glm::vec3(0.0f, 0.0f, 4.0f));
+  EXPECT_LT(glm::distance(front.orientation * glm::vec3(0.0f, 0.0f, -1.0f), glm::vec3(0.0f, 0.0f, -1.0f)),
+            1e-6f);
+  EXPECT_FLOAT_EQ(glm::degrees(front.verticalFov), 60.0f);
+  EXPECT_LT(front.nearPlane, 4.0f);
+  EXPECT_GT(front.farPlane, 4.0f);
+  EXPECT_FLOAT_EQ(glm::degrees(scene.cameras[1].verticalFov), 50.0f);
+}
+
+TEST_F(CameraFile, ThatIsBrokenIsRefusedInASentence) {
+  const std::pair<const char*, const char*> kBroken[] = {
+      {"", "no JSON list"},
+      {"[]", "no JSON list"},
+      {R"({"position": [0, 0, 4]})", "no JSON list"},
+      {"[1]", "camera 0 is no object"},
+      {R"([{"position": [0, 0, 4]}])", "needs a 'target' of three numbers"},
+      {R"([{"position": [0, 0, "4"], "target": [0, 0, 0]}])", "has a 'position' that is no number"},
+      {R"([{"position": [0, 0, 1e300], "target": [0, 0, 0]}])", "has a 'position' that is no number"},
+      {R"([{"position": [0, 0, 0], "target": [0, 0, 0]}])", "looks at where it stands"},
+      {R"([{"position": [0, 0, 4], "target": [0, 0, 0], "vertical_fov": 180}])", "give 1 to 170 degrees"},
+      {R"([{"name": 5, "position": [0, 0, 4], "target": [0, 0, 0]}])", "'name' that is no text"}};
+  for (const auto& [json, message] : kBroken) {
+    writeCameras(json);
+    EXPECT_THAT(loadError(path()), testing::AllOf(HasSubstr("square.cameras.json"), HasSubstr(message)));
+  }
+}
+
 }  // namespace
