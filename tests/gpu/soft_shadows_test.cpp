@@ -65,7 +65,8 @@ RayCaster floorWithBox() {
 /// The pixel at which a point is seen.
 glm::ivec2 pixelAt(glm::dvec3 position) {
   const glm::dvec4 clip = glm::dmat4(perspective(kSize)) * glm::dvec4(position, 1.0);
-  return glm::ivec2((glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(kSize));
+  const glm::ivec2 pixel((glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(kSize));
+  return pixel;
 }
 
 TEST_F(SoftShadowsTest, ABoxIsDarkAtItsContactAndItsShadowEndsWhereGeometrySays) {
