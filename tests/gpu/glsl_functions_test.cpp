@@ -235,7 +235,9 @@ TEST_F(GlslFunctions, LevelPixelsStandForOneFullPixelEach) {
     for (int index = 0; index < kMaxLevels; ++index) {
       const PlannedLevel level{index, levelSize(size, index), {}};
       std::vector<glm::vec4> pixels;
-      for (int i = 0; i < std::max(level.size.x, level.size.y); ++i) {
+      const int count = std::max(level.size.x, level.size.y);
+      pixels.reserve(static_cast<std::size_t>(count));
+      for (int i = 0; i < count; ++i) {
         pixels.emplace_back(glm::min(glm::ivec2(i), level.size - 1), 0, 0);
       }
       const std::string full = "ivec2(" + std::to_string(size.x) + ", " + std::to_string(size.y) + ")";
@@ -279,6 +281,7 @@ TEST_F(GlslFunctions, MaskCoordinatesAreThoseOfThePixelsPlace) {
     for (int index = 0; index + 1 < kMaxLevels; ++index) {
       const PlannedLevel level{index, levelSize(size, index), {}};
       std::vector<glm::vec4> pixels;
+      pixels.reserve(static_cast<std::size_t>(size.x));
       for (int x = 0; x < size.x; ++x) pixels.emplace_back(x, x % size.y, 0, 0);
       const auto values = evaluateLevel("vec4(maskCoordinate(ivec2(a.xy)), 0.0, 0.0)", pixels,
                                         levelParams({level}, size, 0.0f));

@@ -48,7 +48,7 @@ class ZoneBench {
     levelBlock_.upload(levelParams(neighbours, plan_.levels.front().size, 0.0f));
     levelBlock_.bind(kLevelBlock);
     zonePass_.draw(context_, level, {.mask = &masks_.mask(level.index), .refine = refine});
-    const Image zone = readImage(zonePass_.zone(level.index), 1);
+    Image zone = readImage(zonePass_.zone(level.index), 1);
     expectLikeReference(zone, neighbours, refine);
     return zone;
   }
