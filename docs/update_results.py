@@ -5,7 +5,7 @@ Usage: docs/update_results.py REPORTS
 
 REPORTS is a folder of folders that mres compare and mres bench wrote. Each block of the page that begins with
 `<!-- begin KIND NAME -->` and ends with `<!-- end -->` is written anew from REPORTS/NAME and nothing else, KIND being
-machine, table, stages or plots. The text around the blocks stays.
+machine, table, summary, stages or plots. Blocks of reports that are not there stay, and so does the text around them.
 """
 import json
 import pathlib
@@ -23,7 +23,7 @@ def read_report(folder):
     for name in ("report.json", "results.json"):
         if (folder / name).exists():
             return json.loads((folder / name).read_text())
-    sys.exit(f"update_results: there is no report in '{folder}'; ./dev results makes it.")
+    return None
 
 
 def markdown(rows):
@@ -47,14 +47,28 @@ def table(report, _folder):
         ("SSIM", lambda r: r["error"]["ssim"], "{:.4f}"),
     )
     results = report["results"]
-    rows = [["view, size, samples"] + [title for title, _, _ in figures] + ["coverage, %, fine to coarse"]]
+    rows = [["view, size, effect, samples"] + [title for title, _, _ in figures] + ["coverage, %, fine to coarse"]]
     for r in results:
-        view = f"{r['scene']} {r['camera']} ({r['camera_name']}), {r['width']}×{r['height']}, {r['samples']}"
+        view = f"{r['scene']} {r['camera']} ({r['camera_name']}), {r['width']}×{r['height']}, {r['effect']} {r['samples']}"
         coverage = " ".join(f"{share * 100:.0f}" for share in r["coverage"])
         rows.append([view] + [form.format(get(r)) for _, get, form in figures] + [coverage])
-    if len({(r["scene"], r["width"], r["samples"]) for r in results}) == 1 < len(results):
+    if len({(r["scene"], r["width"], r["effect"], r["samples"]) for r in results}) == 1 < len(results):
         means = [form.format(statistics.mean(get(r) for r in results)) for _, get, form in figures]
         rows.append(["**mean**"] + [f"**{mean}**" for mean in means] + [""])
+    return markdown(rows)
+
+
+def summary(report, _folder):
+    groups = {}
+    for r in report["results"]:
+        groups.setdefault((r["effect"], r["samples"], r["width"], r["height"]), []).append(r)
+    rows = [["effect, samples, size", "views", "speedup", "least", "greatest", "RMS", "greatest"]]
+    for (effect, samples, width, height), group in sorted(groups.items()):
+        speedups = [r["speedup"] for r in group]
+        errors = [r["error"]["rms"] for r in group]
+        rows.append([f"{effect} {samples}, {width}×{height}", str(len(group))]
+                    + [f"{f(speedups):.2f}" for f in (statistics.mean, min, max)]
+                    + [f"{f(errors):.4f}" for f in (statistics.mean, max)])
     return markdown(rows)
 
 
@@ -78,17 +92,20 @@ def plots(_report, folder):
     return "\n".join(lines)
 
 
-KINDS = {"machine": machine, "table": table, "stages": stages, "plots": plots}
+KINDS = {"machine": machine, "table": table, "summary": summary, "stages": stages, "plots": plots}
 
 
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
     reports = pathlib.Path(sys.argv[1])
+    if not any(reports.glob("*/*.json")):
+        sys.exit(f"update_results: there are no reports below '{reports}'; ./dev results makes them.")
 
     def block(match):
         folder = reports / match[3]
-        return match[1] + "\n" + KINDS[match[2]](read_report(folder), folder) + "\n" + match[4]
+        report = read_report(folder)
+        return match[1] + "\n" + KINDS[match[2]](report, folder) + "\n" + match[4] if report else match[0]
 
     PAGE.write_text(BLOCK.sub(block, PAGE.read_text()))
 
