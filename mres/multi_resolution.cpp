@@ -44,8 +44,9 @@ struct MultiResolution::Implementation {
   std::map<std::string, EffectPasses, std::less<>> effects;
   std::optional<DebugViewPass> debugViewPass;
   LevelPlan plan;
-  EdgeImages edges;         // of the last frame
-  bool hasPicture = false;  // everything that the plan names was rendered
+  EdgeImages edges;  // of the last frame
+  const EffectPasses* pictured =
+      nullptr;  // of the last frame, if everything that the plan names was rendered
   Report report;
 };
 
@@ -75,7 +76,7 @@ GLuint MultiResolution::Implementation::render(Effect& effect, const Frame& fram
   const DepthFormat depth = bindFrame(frame, params);
   context.profiler.beginFrame();
   EffectPasses& passes = passesOf(effect);
-  hasPicture = false;
+  pictured = nullptr;
   plan = planLevels(settings.technique, effect.levels(), frame.size);
   const PlannedFrame planned{context, settings, plan, *shared, passes, measureCoverage};
   planned.prepareLevels();
@@ -85,7 +86,7 @@ GLuint MultiResolution::Implementation::render(Effect& effect, const Frame& fram
   drawLevels(planned);
   context.profiler.endFrame();
   fillReport(passes);
-  hasPicture = true;
+  pictured = &passes;
   return planned.targets(0).composed().color().id();
 }
 
@@ -101,7 +102,8 @@ void MultiResolution::Implementation::fillReport(EffectPasses& passes) {
 }
 
 GLuint MultiResolution::Implementation::debugView(DebugView view) {
-  if (!hasPicture) throw std::logic_error("A debug view shows the last render(); call render() first.");
+  if (pictured == nullptr)
+    throw std::logic_error("A debug view shows the last render(); call render() first.");
   const gl::StateGuard guard(viewports);
   if (!debugViewPass) debugViewPass.emplace(context.library);
   const glm::ivec2 size = plan.levels.front().size;
@@ -121,7 +123,7 @@ void MultiResolution::Implementation::reloadShaders() {
   debugViewPass.emplace(std::move(newDebugView));
   auto replacement = newEffects.begin();
   for (auto& [name, passes] : effects) passes.replace(std::move(*replacement++));
-  hasPicture = false;  // there are no masks to show
+  pictured = nullptr;  // there are no masks to show
 }
 
 MultiResolution::MultiResolution(const Options& options) {
@@ -159,7 +161,9 @@ void MultiResolution::reloadShaders() {
 
 void MultiResolution::forget(std::string_view effectName) {
   const auto found = implementation_->effects.find(effectName);
-  if (found != implementation_->effects.end()) implementation_->effects.erase(found);
+  if (found == implementation_->effects.end()) return;
+  if (implementation_->pictured == &found->second) implementation_->pictured = nullptr;
+  implementation_->effects.erase(found);
 }
 
 void MultiResolution::fillTargets(float value) {

@@ -53,7 +53,7 @@ class MultiResolution {
   [[nodiscard]] const Report& report() const;
 
   /// A picture of how the last render() decided; valid until the next call. Throws std::logic_error before
-  /// the first render() and between reloadShaders() and the next.
+  /// the first render(), and between reloadShaders() or forget() of the last effect and the next.
   GLuint debugView(DebugView view);
 
   /// Changes how stages are timed, from the next render() on.

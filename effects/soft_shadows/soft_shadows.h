@@ -15,7 +15,7 @@ inline constexpr LevelTable kSoftShadowLevels = {
 
 struct SoftShadowSettings {
   int samples = 196;              ///< 1..1024. Texels of the shadow map that are compared for each pixel.
-  float filterRadius = 0.06f;     ///< metres, (0, 10]. Radius of the penumbra; with PCSS the largest one.
+  float filterRadius = 0.06f;     ///< metres, [0, 10]. Radius of the penumbra; with PCSS the largest one.
   bool contactHardening = false;  ///< PCSS: the penumbra widens with the distance from the blocker.
   float lightAngle =
       0.53f;  ///< degrees, [0, 90]. Diameter of a parallel light in the sky; the sun's. PCSS only.

@@ -82,7 +82,7 @@ bool Campaign::measure(const BenchCase& benchCase) {
   wanted.settings = settingsTable(settings).values();
   if (results_.contains(wanted, request_.timing.timing)) return false;
 
-  requireMemory(bytesOfComparison(benchCase.size), physicalMemory());
+  requireMemory(bytesOfComparison(benchCase.size), availableMemory());
   Comparison& comparison = workbench_.comparison(settings, wanted.settings);
   Measurement measurement = comparison.measure(
       {benchCase.camera, benchCase.size, request_.timing.planOf(benchCase)},

@@ -9,9 +9,11 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "host/commands/commands.h"
 #include "host/commands/interruption.h"
+#include "host/commands/parse.h"
 #include "host/commands/usage_error.h"
 
 namespace host {
@@ -54,6 +56,16 @@ std::string helpHint(const CLI::App& app) {
                      subcommands.empty() ? "" : subcommands.front()->get_name() + " ");
 }
 
+/// Whatever else is wrong: what a command does not take, or a command that there is not.
+std::string wrongUsage(const CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<std::string> words = app.remaining();
+  const bool isCommand = app.get_subcommands().empty() && !words.empty() && !words.front().starts_with('-');
+  if (!isCommand) return fmt::format("{}; {}.", error.what(), helpHint(app));
+  std::vector<std::string> commands;
+  for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
+  return fmt::format("There is no command '{}'{}", words.front(), suggestion(words.front(), commands));
+}
+
 void flushOutput() {
   if (std::fflush(stdout) != 0) throw std::runtime_error(kFullOutput);
 }
@@ -84,7 +96,7 @@ int runCommandLine(int argc, const char* const* argv) {
     app.exit(request);
     return std::cout.flush() ? kDone : fail(kFailed, kFullOutput);
   } catch (const CLI::ParseError& error) {
-    return fail(kWrongUsage, fmt::format("{}; {}.", error.what(), helpHint(app)));
+    return fail(kWrongUsage, wrongUsage(app, error));
   } catch (const UsageError& error) {
     return fail(kWrongUsage, error.what());
   } catch (const Interrupted&) {

@@ -99,7 +99,7 @@ class CompareRun {
 void runCompare(const CompareOptions& options) {
   if (options.picture.settings.effect == kNoEffect)
     throw UsageError("Without an effect there is nothing to compare; give --effect ssao.");
-  requireMemory(bytesOfComparison(options.view.size), physicalMemory());
+  requireMemory(bytesOfComparison(options.view.size), availableMemory());
   const OutputDirectory output(options.output);
   StderrProgressBar progress;
   const GlContext context;

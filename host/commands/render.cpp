@@ -50,7 +50,7 @@ void requireRenderable(const RenderOptions& options) {
         "One picture needs one camera; give --camera a number, or use mres compare for all of them.");
   if (!options.hasEffect() && options.timing.repeat.pairs)
     throw UsageError("Without an effect there is nothing to time; leave out --repeat.");
-  requireMemory(bytesOfRender(options.view.size), physicalMemory());
+  requireMemory(bytesOfRender(options.view.size), availableMemory());
   requireWritableFile(options.output);
 }
 

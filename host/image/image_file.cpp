@@ -13,6 +13,7 @@
 #include <system_error>
 #include <unistd.h>
 
+#include "host/files/silenced_stderr.h"
 #include "host/files/temporary_file.h"
 
 namespace host {
@@ -47,6 +48,7 @@ std::vector<float> withoutNan(std::vector<float> pixels) {
 
 /// In memory: OpenImageIO's PNG writer does not notice a full disk.
 std::vector<unsigned char> encode(const FloatImage& image, const Writer& writer) {
+  const SilencedStderr silence;  // what is wrong is thrown
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput proxy(bytes);  // outlives the output, which may still write when it is closed
   const auto output = OIIO::ImageOutput::create(writer.name);
@@ -105,6 +107,7 @@ FloatImage withUsualChannels(FloatImage image) {
 }
 
 FloatImage decode(const std::filesystem::path& path) {
+  const SilencedStderr silence;
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1);
   const auto input = OIIO::ImageInput::open(path.string(), &config);

@@ -14,21 +14,17 @@ double elapsedMs(GLuint query) {
 }  // namespace
 
 GlTimer::GlTimer(bool softwareRasterizer)
-    : softwareRasterizer_(softwareRasterizer), query_(mres::gl::QueryName::create()) {}
+    : trusted_(softwareRasterizer ? Clock::wall : Clock::gpu), query_(mres::gl::QueryName::create()) {}
 
 RunTime GlTimer::operator()(const Work& work) const {
   glFinish();
   const auto start = std::chrono::steady_clock::now();
-  if (!softwareRasterizer_) glBeginQuery(GL_TIME_ELAPSED, query_.id());
+  glBeginQuery(GL_TIME_ELAPSED, query_.id());
   work();
-  if (!softwareRasterizer_) glEndQuery(GL_TIME_ELAPSED);
+  glEndQuery(GL_TIME_ELAPSED);
   glFinish();
   const std::chrono::duration<double, std::milli> wall = std::chrono::steady_clock::now() - start;
-
-  RunTime time;
-  time.wallMs = wall.count();
-  if (!softwareRasterizer_) time.gpuMs = elapsedMs(query_.id());
-  return time;
+  return {wall.count(), elapsedMs(query_.id()), trusted_};
 }
 
 }  // namespace host

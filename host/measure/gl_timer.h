@@ -6,15 +6,15 @@
 namespace host {
 
 /// Times OpenGL work of the current context by glFinish and std::chrono::steady_clock, and by a
-/// GL_TIME_ELAPSED query as well unless the rasteriser is software: there the query returns before the work
-/// is done (llvmpipe reported 0.2 ms for a draw of 150 ms).
+/// GL_TIME_ELAPSED query as well. That is the truth on a GPU; on a software rasteriser it ends before the
+/// work is done (llvmpipe reported 0.2 ms for a draw of 150 ms).
 class GlTimer {
  public:
   explicit GlTimer(bool softwareRasterizer);
   RunTime operator()(const Work& work) const;
 
  private:
-  bool softwareRasterizer_;
+  Clock trusted_;
   mres::gl::QueryName query_;
 };
 

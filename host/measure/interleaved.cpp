@@ -88,8 +88,8 @@ std::optional<std::vector<double>> timesBy(Clock clock, const std::vector<RunTim
 }
 
 Clock trustedClock(const InterleavedTimes& times) {
-  const auto hasGpuTime = [](const RunTime& run) { return run.gpuMs.has_value(); };
-  return std::ranges::all_of(times.technique, hasGpuTime) && std::ranges::all_of(times.reference, hasGpuTime)
+  const auto trustsGpu = [](const RunTime& run) { return run.trusted == Clock::gpu && run.gpuMs; };
+  return std::ranges::all_of(times.technique, trustsGpu) && std::ranges::all_of(times.reference, trustsGpu)
              ? Clock::gpu
              : Clock::wall;
 }

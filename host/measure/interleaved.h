@@ -9,10 +9,16 @@
 
 namespace host {
 
+enum class Clock {
+  wall,  ///< glFinish and a monotonic clock
+  gpu    ///< GL_TIME_ELAPSED
+};
+
 /// What one run took.
 struct RunTime {
-  double wallMs = 0.0;                         ///< glFinish and a monotonic clock
-  std::optional<double> gpuMs = std::nullopt;  ///< GL_TIME_ELAPSED, where it means something
+  double wallMs = 0.0;
+  std::optional<double> gpuMs = std::nullopt;
+  Clock trusted = Clock::wall;  ///< the one that tells how long the work took
 };
 
 using Work = std::function<void()>;
@@ -46,10 +52,9 @@ std::vector<RunTime> timeAlone(const Work& work, const Timer& timer, const Repea
                                const RunObserver& observe = {});
 
 /// The wall times, or the GPU times where every run has one.
-enum class Clock { wall, gpu };
 std::optional<std::vector<double>> timesBy(Clock clock, const std::vector<RunTime>& runs);
 
-/// The clock to trust: GPU time where every run of both has one, else wall time.
+/// The clock to trust: GPU time where every run of both has one and trusts it, else wall time.
 Clock trustedClock(const InterleavedTimes& times);
 
 /// Reference over technique, by the trusted clock.

@@ -1,6 +1,7 @@
 #include "host/platform/gl_context.h"
 
 #include <array>
+#include <cstdlib>
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 #include <optional>
@@ -146,6 +147,8 @@ struct GlContext::Implementation {
 };
 
 GlContext::GlContext(Debug debug) {
+  // Mesa's EGL warns on stderr of each driver that it cannot load; what matters of it is thrown.
+  setenv("EGL_LOG_LEVEL", "fatal", 0);
   std::string reasons;
   for (const egl::Display& display : egl::headlessDisplays()) {
     std::string reason;

@@ -1,5 +1,10 @@
 #pragma once
 
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <optional>
+
 #include "mres/gl/object.h"
 
 namespace mres::gl {
@@ -19,7 +24,11 @@ class UniformBuffer {
     glBindBuffer(GL_UNIFORM_BUFFER, static_cast<GLuint>(bound));
   }
 
+  /// The same again costs nothing: the driver need not keep a copy for frames in flight.
   void upload(const Params& params) {
+    const auto bytes = std::bit_cast<Bytes>(params);
+    if (uploaded_ == bytes) return;
+    uploaded_ = bytes;
     glBindBuffer(GL_UNIFORM_BUFFER, name_.id());
     glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof(Params), &params);
   }
@@ -27,7 +36,10 @@ class UniformBuffer {
   void bind(GLuint binding) const { glBindBufferBase(GL_UNIFORM_BUFFER, binding, name_.id()); }
 
  private:
+  using Bytes = std::array<std::byte, sizeof(Params)>;
+
   BufferName name_;
+  std::optional<Bytes> uploaded_;
 };
 
 }  // namespace mres::gl

@@ -1,5 +1,6 @@
 // Whatever is wrong: one sentence on stderr, the right exit code, and no file left behind.
 #include <cstdlib>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -74,6 +75,9 @@ TEST_F(BadInput, CameraOutOfRangeTellsTheRange) {
 }
 
 TEST_F(BadInput, UnknownNamesSuggestNearOnes) {
+  EXPECT_THAT(failureOf({"compar", "hall"}, 2), HasSubstr("no command 'compar'; did you mean compare?"));
+  EXPECT_THAT(failureOf({"hall"}, 2),
+              HasSubstr("no command 'hall'; use one of info, render, compare, bench"));
   EXPECT_THAT(compareFailure({"--effect", "sao"}, 2), HasSubstr("did you mean ssao?"));
   EXPECT_THAT(compareFailure({"--technique", "mre"}, 2), HasSubstr("did you mean mres?"));
   EXPECT_THAT(compareFailure({"--set", "radios=1"}, 2), HasSubstr("did you mean radius?"));
@@ -115,9 +119,12 @@ TEST_F(BadInput, OutputsThatCannotBeWrittenAreFoundBeforeTheWork) {
 }
 
 TEST_F(BadInput, NoOpenGlDevice) {
-  const std::vector<std::string> nothing{"__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent.json"};
-  EXPECT_THAT(failureOf({"info"}, 1, nothing), HasSubstr("OpenGL"));
-  EXPECT_THAT(failureOf({"compare", "-o", output_ / "report"}, 1, nothing), HasSubstr("install a driver"));
+  for (const char* nothing :
+       {"__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent.json", "LIBGL_DRIVERS_PATH=/nonexistent"}) {
+    EXPECT_THAT(failureOf({"info"}, 1, {nothing}), HasSubstr("OpenGL"));
+    EXPECT_THAT(failureOf({"compare", "-o", output_ / "report"}, 1, {nothing}),
+                HasSubstr("install a driver"));
+  }
 }
 
 TEST_F(BadInput, OpenGlTooOld) {
@@ -128,7 +135,8 @@ TEST_F(BadInput, OpenGlTooOld) {
 TEST_F(BadInput, AFullStandardOutputIsAnError) {
   for (const std::string arguments : {"--help", "info", "info --json"}) {
     const std::string errors = input_ / "err";
-    const int status = std::system((MRES_EXECUTABLE " " + arguments + " > /dev/full 2> " + errors).c_str());
+    const std::string command = fmt::format("{} {} > /dev/full 2> {}", MRES_EXECUTABLE, arguments, errors);
+    const int status = std::system(command.c_str());
     ASSERT_TRUE(WIFEXITED(status)) << arguments;
     EXPECT_EQ(WEXITSTATUS(status), 1) << arguments;
     EXPECT_EQ(readFile(errors), "mres: Cannot write to the standard output; is its disk full?\n")

@@ -331,6 +331,16 @@ TEST_F(MultiResolutionTest, ForgettingAnEffectFreesItsTexturesAndNoOthers) {
   EXPECT_THAT(mixed(first, gbuffer.frame()), testing::Each(0.25f)) << "it may come back";
 }
 
+TEST_F(MultiResolutionTest, ForgettingTheLastEffectLeavesNothingToShow) {
+  const glm::ivec2 size(40, 30);
+  const SyntheticGBuffer gbuffer(size, perspective(size), room());
+  TestEffect effect({.body = "return vec4(0.25);", .name = "previewed", .preview = "return vec2(0.0, 1.0);"});
+  multiResolution_.render(effect, gbuffer.frame());
+  EXPECT_NO_THROW(multiResolution_.debugView(DebugView::edges));
+  multiResolution_.forget("previewed");
+  EXPECT_THROW(multiResolution_.debugView(DebugView::edges), std::logic_error);
+}
+
 /// Whether rendering the second frame after the first throws if the driver accepts only so many framebuffers.
 bool isRejectedAfter(int good, MultiResolution& multiResolution, Effect& effect,
                      const std::array<Frame, 2>& frames) {

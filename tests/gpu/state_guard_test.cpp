@@ -3,13 +3,16 @@
 #include <gmock/gmock.h>
 #include <optional>
 
+#include "effects/soft_shadows/soft_shadows.h"
 #include "effects/ssao/ssao.h"
+#include "effects/ssgi/ssgi.h"
 #include "mres/mres.h"
 #include "tests/support/gl_state.h"
 #include "tests/support/gl_test.h"
 #include "tests/support/hostile_state.h"
 #include "tests/support/pictures.h"
 #include "tests/support/synthetic_gbuffer.h"
+#include "tests/support/synthetic_shadow.h"
 
 namespace mres::test {
 namespace {
@@ -62,6 +65,34 @@ TEST_F(StateGuardTest, EveryPublicCallLeavesAllStateAlone) {
   expectNothingChanges("forget", [&] { multiResolution->forget("ssao"); });
   expectNothingChanges("destructor", [&] { multiResolution.reset(); });
   expectNothingChanges("effect's destructor", [&] { ssao.reset(); });
+}
+
+TEST_F(StateGuardTest, EveryEffectLeavesAllStateAloneWhateverItsMasks) {
+  const SyntheticShadow shadow(room(), parallelLight({0.3, 1.0, 0.2}, {0.0, 0.0, -5.0}, 8.0f), {64, 64});
+  const std::vector<float> half(12, 0.5f);
+  const gl::Texture2D importance(GL_R32F, {4, 3}, "importance", 1, half.data());
+  const gl::Texture2D lit(GL_RGBA16F, kSize, "lit", 1, nullptr);
+  for (const bool alternative : {false, true}) {
+    MultiResolution multiResolution;
+    multiResolution.settings().mask.minMaxMips = alternative;
+    multiResolution.settings().mask.disjoint = alternative;
+    multiResolution.settings().mask.geometryAlways = alternative;
+    Frame frame = gbuffer_.frame();
+    frame.importance = alternative ? importance.id() : 0;
+    std::optional<SoftShadows> softShadows;
+    std::optional<Ssgi> ssgi;
+    expectNothingChanges("constructor of soft shadows",
+                         [&] { softShadows.emplace(SoftShadowSettings{.samples = 4}); });
+    expectNothingChanges("constructor of SSGI", [&] { ssgi.emplace(SsgiSettings{.samples = 512}); });
+    softShadows->setInputs(shadow.inputs());
+    ssgi->setInputs({.radiance = lit.id()});
+    for (int i = 0; i < 2; ++i) {
+      expectNothingChanges("soft shadows", [&] { multiResolution.render(*softShadows, frame); });
+      expectNothingChanges("SSGI", [&] { multiResolution.render(*ssgi, frame); });
+    }
+    expectNothingChanges("destructor of soft shadows", [&] { softShadows.reset(); });
+    expectNothingChanges("destructor of SSGI", [&] { ssgi.reset(); });
+  }
 }
 
 TEST_F(StateGuardTest, HostileStateDoesNotShowInThePicture) {

@@ -1,8 +1,10 @@
 #include "host/commands/memory_need.h"
 
+#include <cstdlib>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdexcept>
+#include <sys/resource.h>
 
 namespace host {
 namespace {
@@ -17,7 +19,7 @@ TEST(MemoryNeed, GrowsWithThePixels) {
 }
 
 TEST(MemoryNeed, MoreThanThereIsIsOneSentence) {
-  EXPECT_GT(physicalMemory(), kGibibyte / 4);
+  EXPECT_GT(availableMemory(), kGibibyte / 4);
   requireMemory(kGibibyte, kGibibyte);
   try {
     requireMemory(20 * kGibibyte, 16 * kGibibyte);
@@ -26,6 +28,14 @@ TEST(MemoryNeed, MoreThanThereIsIsOneSentence) {
     EXPECT_THAT(error.what(), testing::AllOf(testing::HasSubstr("20.0 GiB"), testing::HasSubstr("16.0 GiB"),
                                              testing::HasSubstr("smaller --size")));
   }
+}
+
+TEST(MemoryNeed, HeedsTheLimitOfTheProcess) {
+  const auto isLimited = [] {
+    const rlimit limit{kGibibyte, kGibibyte};
+    return setrlimit(RLIMIT_AS, &limit) == 0 && availableMemory() == kGibibyte;
+  };
+  EXPECT_EXIT(std::_Exit(isLimited() ? 0 : 1), testing::ExitedWithCode(0), "");
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <glm/gtc/quaternion.hpp>
 #include <numeric>
-#include <ranges>
 #include <stdexcept>
 
 #include "host/scene/gltf/properties.h"
@@ -89,7 +88,7 @@ struct Pending {
 
 /// Pushed in reverse, so that nodes come off the stack in the order of the file.
 void push(std::vector<Pending>& stack, const std::vector<int>& nodes, const glm::dmat4& parentTransform) {
-  for (const int node : std::views::reverse(nodes)) stack.push_back({node, parentTransform});
+  for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) stack.push_back({*node, parentTransform});
 }
 
 }  // namespace
