@@ -1,0 +1,40 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "host/truth/truth.h"
+#include "host/truth/work_observer.h"
+#include "mres/gl/texture.h"
+#include "mres/mres.h"
+
+namespace host {
+
+/// The effect of pass 0, 1, ...: the same but for its sample points.
+using EffectOfPass = std::function<std::unique_ptr<mres::Effect>(int pass)>;
+
+/// A set of passes whose mean has converged.
+struct ConvergingPasses {
+  EffectOfPass effect;
+  int passes = 1;
+  int samples = 0;  ///< a pixel in each pass
+};
+
+/// An effect with so many samples that more would change little, and without its filter: what the same
+/// algorithm gives when nothing is saved. Needs a current OpenGL context.
+class ConvergedReference {
+ public:
+  /// Shader files below `shaderDirectory`, if it isn't empty, win over the embedded ones.
+  explicit ConvergedReference(const std::string& shaderDirectory);
+
+  /// The mean of all passes, at the pixels of the quarter level; at all of them in pictures that are too
+  /// small to have one. `observe` is called before each pass.
+  Truth render(const ConvergingPasses& passes, const mres::Frame& frame, const WorkObserver& observe);
+
+ private:
+  mres::MultiResolution multiResolution_;
+  mres::gl::Texture2D nothingMatters_;  // an importance mask
+};
+
+}  // namespace host
