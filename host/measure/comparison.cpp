@@ -11,6 +11,16 @@ namespace {
 constexpr mres::Technique kReference = mres::Technique::full;
 constexpr double kShareOfTiming = 0.85;  // of the whole work, about
 
+TruthErrors errorsAgainst(const Truth& truth, const FloatImage& technique, const FloatImage& reference) {
+  const glm::ivec2 pixels = truth.grid.size();
+  return {.name = truth.name,
+          .unit = truth.unit,
+          .count = truth.count,
+          .pixels = static_cast<std::size_t>(pixels.x) * static_cast<std::size_t>(pixels.y),
+          .technique = compareValues(valuesAt(truth.grid, technique), truth.values),
+          .reference = compareValues(valuesAt(truth.grid, reference), truth.values)};
+}
+
 }  // namespace
 
 Comparison::Comparison(const Scene& scene, const PictureSettings& settings, bool softwareRasterizer)
@@ -45,8 +55,8 @@ void Comparison::render(const ComparisonRequest& request, Measurement& measureme
 Measurement Comparison::measure(const ComparisonRequest& request, const WorkObserver& observe) {
   const GBufferTextures& gbuffer = renderer_.drawGeometry(scene_.cameras.at(request.camera), request.size);
   frame_ = frameOf(renderer_, gbuffer, request.size);
-  const EffectInputs inputs = drawInputs(renderer_, settings_);
-  for (EffectInstance* instance : {&technique_, &reference_, &inspected_}) instance->setInputs(inputs);
+  inputs_ = drawInputs(renderer_, settings_);
+  for (EffectInstance* instance : {&technique_, &reference_, &inspected_}) instance->setInputs(inputs_);
 
   Measurement measurement = describePicture(scene_, settings_, request.camera, request.size);
   measurement.reference = nameOf(kReference);
@@ -59,7 +69,20 @@ Measurement Comparison::measure(const ComparisonRequest& request, const WorkObse
   observe(kShareOfTiming, "looking at each stage");
   inspect(inspected_, frame_, request.timing ? stageClockOf(softwareRasterizer_) : StageClock::off,
           measurement);
+  if (request.truth) measurement.truths = compareWithTruths(observe);
   return measurement;
+}
+
+/// Of the values read back.
+std::vector<TruthErrors> Comparison::compareWithTruths(const WorkObserver& observe) {
+  if (!truthFinder_) truthFinder_ = std::make_unique<TruthFinder>(scene_, settings_);
+  const auto observeRest = [&observe](double share, const std::string& what) {
+    observe(kShareOfTiming + (1.0 - kShareOfTiming) * share, what);
+  };
+  std::vector<TruthErrors> errors;
+  for (const Truth& truth : truthFinder_->find(frame_, inputs_, observeRest))
+    errors.push_back(errorsAgainst(truth, techniqueValues_, referenceValues_));
+  return errors;
 }
 
 FloatImage Comparison::litBy(GLuint effect) {

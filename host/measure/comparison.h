@@ -1,6 +1,6 @@
 #pragma once
 
-#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +8,7 @@
 #include "host/measure/effect_instance.h"
 #include "host/measure/interleaved.h"
 #include "host/measure/measurement.h"
+#include "host/measure/truth_finder.h"
 #include "host/scene/scene.h"
 
 namespace host {
@@ -17,6 +18,7 @@ struct ComparisonRequest {
   int camera = 0;
   glm::ivec2 size{0};
   std::optional<RepeatPlan> timing;  ///< none: pictures and errors alone
+  bool truth = false;                ///< whether to measure against better pictures than the reference, too
 };
 
 /// The pictures of a comparison, encoded for display but for the effect's values.
@@ -31,9 +33,6 @@ struct ComparisonPictures {
 };
 
 inline constexpr float kDifferenceEnhancement = 8.0f;
-
-/// Called as the work goes on, with the share that is done and what comes now.
-using WorkObserver = std::function<void(double share, const std::string& what)>;
 
 /// Measures a technique against the effect at full resolution, on the effect's values and nothing else: the
 /// G-buffer is drawn before, the lighting after.
@@ -53,6 +52,7 @@ class Comparison {
 
  private:
   void render(const ComparisonRequest& request, Measurement& measurement, const WorkObserver& observe);
+  std::vector<TruthErrors> compareWithTruths(const WorkObserver& observe);
   FloatImage litBy(GLuint effect);
 
   const Scene& scene_;
@@ -63,7 +63,9 @@ class Comparison {
   EffectInstance technique_;
   EffectInstance reference_;
   EffectInstance inspected_;
+  std::unique_ptr<TruthFinder> truthFinder_;  // made when it is first asked for
   mres::Frame frame_;
+  EffectInputs inputs_;
   GLuint techniqueTexture_ = 0;
   GLuint referenceTexture_ = 0;
   FloatImage techniqueValues_;

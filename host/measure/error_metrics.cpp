@@ -35,17 +35,23 @@ double meanStructuralSimilarity(const FloatImage& image, const FloatImage& refer
 
 }  // namespace
 
-ErrorMetrics compareImages(const FloatImage& image, const FloatImage& reference) {
+ValueErrors compareValues(const FloatImage& image, const FloatImage& reference) {
   requireSameShape(image, reference);
-  ErrorMetrics metrics;
+  ValueErrors errors;
   double squares = 0.0;
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     const double error = absoluteError(image.pixels[i], reference.pixels[i]);
     squares += error * error;
-    metrics.max = std::max(metrics.max, error);
-    if (!areFinite(image.pixels[i], reference.pixels[i])) ++metrics.nonFinite;
+    errors.max = std::max(errors.max, error);
+    if (!areFinite(image.pixels[i], reference.pixels[i])) ++errors.nonFinite;
   }
-  metrics.rms = std::sqrt(squares / static_cast<double>(image.pixels.size()));
+  errors.rms = std::sqrt(squares / static_cast<double>(image.pixels.size()));
+  return errors;
+}
+
+ErrorMetrics compareImages(const FloatImage& image, const FloatImage& reference) {
+  const ValueErrors values = compareValues(image, reference);
+  ErrorMetrics metrics{.rms = values.rms, .max = values.max, .nonFinite = values.nonFinite};
   metrics.psnr =
       metrics.rms > 0.0 ? -20.0 * std::log10(metrics.rms) : std::numeric_limits<double>::infinity();
   metrics.ssim = meanStructuralSimilarity(image, reference);

@@ -7,13 +7,24 @@
 
 namespace host {
 
+/// Of values one by one, wherever in a picture they are.
+struct ValueErrors {
+  double rms = 0.0;
+  double max = 0.0;
+  std::int64_t nonFinite =
+      0;  ///< values that are NaN or infinite in either image; each counts as an error of 1
+};
+
+/// Compares images of the same size and number of channels; throws std::invalid_argument for others.
+ValueErrors compareValues(const FloatImage& image, const FloatImage& reference);
+
+/// Those of whole pictures.
 struct ErrorMetrics {
   double rms = 0.0;
   double max = 0.0;
-  double psnr = 0.0;  ///< decibels for a peak of 1; infinite for equal images
-  double ssim = 1.0;  ///< structural similarity, 1 for equal images
-  std::int64_t nonFinite =
-      0;  ///< values that are NaN or infinite in either image; each counts as an error of 1
+  double psnr = 0.0;           ///< decibels for a peak of 1; infinite for equal images
+  double ssim = 1.0;           ///< structural similarity, 1 for equal images
+  std::int64_t nonFinite = 0;  ///< as in ValueErrors
 };
 
 /// Compares images of the same size and number of channels; throws std::invalid_argument for others. SSIM is

@@ -26,6 +26,17 @@ struct SkippedPart {
   std::string reason;
 };
 
+/// How far technique and reference are from a better picture than both (see host/truth/truth.h), at some of
+/// the pixels.
+struct TruthErrors {
+  std::string name;        ///< of the truth: "converged" or "ray_traced"
+  std::string unit;        ///< what `count` counts: "samples" or "rays"
+  int count = 0;           ///< for each pixel of the truth
+  std::size_t pixels = 0;  ///< that were compared
+  ValueErrors technique;
+  ValueErrors reference;
+};
+
 /// What was measured of one picture.
 struct Measurement {
   std::string scene;
@@ -41,6 +52,7 @@ struct Measurement {
   std::optional<InterleavedTimes> times;  ///< none if pictures and errors alone were asked for; without
                                           ///< reference runs there is no speedup
   std::optional<ErrorMetrics> error;      ///< none without a reference
+  std::vector<TruthErrors> truths;        ///< none if they weren't asked for
   std::vector<double> coverage;           ///< share of level i in which the effect ran
   std::vector<StageCost> stages;          ///< of the technique; none if no timing was asked for
   std::string stagesClock;                ///< what the stages were timed with

@@ -33,6 +33,19 @@ Json toJson(const ErrorMetrics& error) {
           {"non_finite", error.nonFinite}};
 }
 
+/// By name; null if none was asked for.
+Json toJson(const std::vector<TruthErrors>& truths) {
+  Json json;
+  for (const TruthErrors& truth : truths)
+    json[truth.name] = {{truth.unit, truth.count},
+                        {"pixels", truth.pixels},
+                        {"rms", truth.technique.rms},
+                        {"max", truth.technique.max},
+                        {"reference_rms", truth.reference.rms},
+                        {"reference_max", truth.reference.max}};
+  return json;
+}
+
 Json clockName(Clock clock) {
   return clock == Clock::gpu ? "GL_TIME_ELAPSED" : "glFinish+steady_clock";
 }
@@ -70,6 +83,7 @@ Json toJson(const Measurement& measurement) {
   result["reference"] = measurement.reference ? Json(*measurement.reference) : Json();
   addTimes(result, measurement.times.value_or(InterleavedTimes()));
   result["error"] = measurement.error ? toJson(*measurement.error) : Json();
+  result["truth"] = toJson(measurement.truths);
   result["coverage"] = measurement.coverage;
   result["stages_ms"] = Json::object();
   for (const StageCost& stage : measurement.stages) result["stages_ms"][stage.name] = stage.milliseconds;

@@ -29,7 +29,17 @@ std::string toText(const Json& report);
 /// A row of titles, one for each result, and one of means where there are several.
 std::vector<std::vector<std::string>> tableRows(const Json& report);
 
+/// Errors of a result against each truth by its name; null where there are none.
+Json truthsOf(const Json& result);
+
+/// "converged, 4096 samples".
+std::string truthTitle(const std::string& name, const Json& truth);
+
 /// Those rows aligned for a terminal, and where the time goes.
 std::string toTable(const Json& report);
+
+/// How far technique and reference are from each truth, a row a picture and truth, aligned for a terminal;
+/// empty for a report without truths.
+std::string toTruthTable(const Json& report);
 
 }  // namespace host

@@ -63,6 +63,13 @@ bool isError(const Json& value) {
          has<isNullOr<isNumber>>(value, "psnr") && has<isNumber>(value, "ssim");
 }
 
+/// Errors against a truth.
+bool isTruth(const Json& value) {
+  return has<isWhole>(value, "pixels") && has<isNumber>(value, "rms") && has<isNumber>(value, "max") &&
+         has<isNumber>(value, "reference_rms") && has<isNumber>(value, "reference_max") &&
+         (has<isWhole>(value, "samples") || has<isWhole>(value, "rays"));
+}
+
 bool isFileOrFactor(const Json& value) {
   return value.is_string() || value.is_number();
 }
@@ -90,6 +97,9 @@ constexpr std::array kResultFields{Field{"scene", isText},
                                    Field{"settings", isObject},
                                    Field{"pictures", isTableOf<isFileOrFactor>}};
 
+/// Fields that older reports lack.
+constexpr std::array kLaterFields{Field{"truth", isNullOr<isTableOf<isTruth>>}};
+
 /// A speedup comes with the times it is of, and plots show it with the error.
 constexpr std::array kFieldsOfASpeedup{"time_ms", "reference_time_ms", "clock", "speedup_interval", "error"};
 
@@ -99,6 +109,9 @@ std::string faultOfResult(const Json& result) {
     if (!result.contains(field.name)) return fmt::format("has no '{}'", field.name);
     if (!field.isRight(result.at(field.name))) return fmt::format("has a broken '{}'", field.name);
   }
+  for (const Field& field : kLaterFields)
+    if (result.contains(field.name) && !field.isRight(result.at(field.name)))
+      return fmt::format("has a broken '{}'", field.name);
   if (result.at("speedup").is_null()) return "";
   for (const char* name : kFieldsOfASpeedup)
     if (result.at(name).is_null()) return fmt::format("has a speedup without '{}'", name);

@@ -128,6 +128,17 @@ TEST(ErrorMetrics, ChannelsAreAveraged) {
   EXPECT_NEAR(metrics.ssim, (2.0 + (0.8 + 1e-4) / (0.89 + 1e-4)) / 3.0, 1e-6);
 }
 
+TEST(ValueErrors, AreThoseOfTheWholePicture) {
+  FloatImage image = noise({20, 20}, 1);
+  image.pixels[7] = kNaN;
+  const ErrorMetrics metrics = compareImages(image, noise({20, 20}, 2));
+  const ValueErrors errors = compareValues(image, noise({20, 20}, 2));
+  EXPECT_EQ(errors.rms, metrics.rms);
+  EXPECT_EQ(errors.max, metrics.max);
+  EXPECT_EQ(errors.nonFinite, 1);
+  EXPECT_THROW(compareValues({}, {}), std::invalid_argument);
+}
+
 TEST(ErrorMetrics, RejectImagesOfDifferentShape) {
   EXPECT_THROW(compareImages(noise({4, 4}, 1), noise({4, 5}, 1)), std::invalid_argument);
   EXPECT_THROW(compareImages({}, {}), std::invalid_argument);

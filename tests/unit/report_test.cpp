@@ -97,6 +97,21 @@ TEST(Report, WithoutTimingHasTheSameFieldsWithNull) {
   EXPECT_TRUE(untimed["speedup"].is_null());
 }
 
+std::vector<TruthErrors> exampleTruths() {
+  return {{"converged", "samples", 4096, 129600, {.rms = 0.03, .max = 0.6}, {.rms = 0.02, .max = 0.5}},
+          {"ray_traced", "rays", 256, 32400, {.rms = 0.08, .max = 0.9}, {.rms = 0.07, .max = 0.8}}};
+}
+
+TEST(Report, HasTheErrorsAgainstEachTruth) {
+  Measurement measurement = example();
+  EXPECT_TRUE(toJson(measurement).at("truth").is_null());
+  measurement.truths = exampleTruths();
+  EXPECT_EQ(
+      toJson(measurement)["truth"].dump(),
+      R"({"converged":{"samples":4096,"pixels":129600,"rms":0.03,"max":0.6,"reference_rms":0.02,"reference_max":0.5},)"
+      R"("ray_traced":{"rays":256,"pixels":32400,"rms":0.08,"max":0.9,"reference_rms":0.07,"reference_max":0.8}})");
+}
+
 TEST(Report, AnInfinitePsnrIsNull) {
   Measurement measurement = example();
   measurement.error->psnr = std::numeric_limits<double>::infinity();
@@ -122,6 +137,21 @@ TEST(ReportTable, ShowsWhatWasNotMeasuredAsADash) {
   measurement.times.reset();
   measurement.stages.clear();
   EXPECT_THAT(toTable(reportOf({measurement})), AllOf(HasSubstr(" - "), HasSubstr("0.0100")));
+}
+
+TEST(TruthTable, HasALineForEachTruth) {
+  Measurement measurement = example();
+  EXPECT_EQ(toTruthTable(reportOf({measurement})), "");
+  measurement.truths = exampleTruths();
+  EXPECT_THAT(toTruthTable(reportOf({measurement})),
+              AllOf(HasSubstr("hall 2 ssao"), HasSubstr("converged, 4096 samples  129600    0.0200  0.0300"),
+                    HasSubstr("ray traced, 256 rays   32400    0.0700  0.0800")));
+}
+
+TEST(TruthTable, DoesWithoutTheFieldInOlderReports) {
+  Json report = reportOf({example()});
+  report["results"][0].erase("truth");
+  EXPECT_EQ(toTruthTable(report), "");
 }
 
 }  // namespace

@@ -1,0 +1,90 @@
+#include "host/measure/truth_finder.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "host/truth/ray_traced.h"
+
+namespace host {
+namespace {
+
+constexpr int kConvergedSamples = 4096;
+constexpr int kMostRayTracedPixels = 40000;  // of a picture of any size
+constexpr int kSeeds = 65536;                // different ones
+
+constexpr double kShareOfConverging = 0.5;  // of the time, about
+
+/// As many as the effect takes at once.
+template <class EffectSettings>
+int samplesOfPass(EffectSettings& settings) {
+  double most = 1.0;
+  visit(settings, [&most](std::string_view name, auto&, const mres::SettingInfo& info) {
+    if (name == "samples") most = info.max;
+  });
+  return std::min(kConvergedSamples, static_cast<int>(most));
+}
+
+/// No pass has the seed of the pictures that are measured: their points would look better than they are.
+ConvergingPasses passesOf(const PictureSettings& settings, const EffectInputs& inputs) {
+  PictureSettings many = settings;
+  visitEffect(many, [](auto& effect) { effect.samples = samplesOfPass(effect); });
+  const int samples = sampleCount(many);
+  const EffectOfPass effectOf = [many, inputs](int pass) {
+    PictureSettings one = many;
+    visitEffect(one, [pass](auto& effect) { effect.seed = (effect.seed + 1 + pass) % kSeeds; });
+    std::unique_ptr<mres::Effect> effect = makeEffect(one);
+    setInputs(*effect, inputs);
+    return effect;
+  };
+  return {effectOf, (kConvergedSamples + samples - 1) / samples, samples};
+}
+
+/// The densest grid that is not too many pixels.
+PixelGrid rayGridOf(glm::ivec2 size) {
+  PixelGrid grid{size, 1};
+  while (grid.size().x * grid.size().y > kMostRayTracedPixels) grid.stride *= 2;
+  return grid;
+}
+
+SunRays sunRays(const PictureSettings& settings, const mres::Frame& frame, const EffectInputs& inputs) {
+  const glm::vec3 towardsSun = glm::transpose(glm::mat3(frame.view)) * glm::vec3(inputs.shadow.light);
+  return {.towardsSun = glm::normalize(towardsSun), .diameter = settings.softShadows.lightAngle};
+}
+
+bool hasRayTracedTruth(const PictureSettings& settings, const EffectInputs& inputs) {
+  if (settings.effect == kSoftShadowEffect) return inputs.shadow.shadowMap != 0;  // else there is no sun
+  return settings.effect == kSsaoEffect && settings.ssao.radius > 0.0f;
+}
+
+}  // namespace
+
+TruthFinder::TruthFinder(const Scene& scene, const PictureSettings& settings)
+    : settings_(settings), convergedReference_(settings.renderer.shaderDirectory), rayScene_(scene) {}
+
+std::vector<Truth> TruthFinder::find(const mres::Frame& frame, const EffectInputs& inputs,
+                                     const WorkObserver& observe) {
+  std::vector<Truth> truths;
+  truths.push_back(converged(frame, inputs, [&](double share, const std::string& what) {
+    observe(kShareOfConverging * share, what);
+  }));
+  if (hasRayTracedTruth(settings_, inputs))
+    truths.push_back(rayTraced(frame, inputs, [&](double share, const std::string& what) {
+      observe(kShareOfConverging + (1.0 - kShareOfConverging) * share, what);
+    }));
+  return truths;
+}
+
+Truth TruthFinder::converged(const mres::Frame& frame, const EffectInputs& inputs,
+                             const WorkObserver& observe) {
+  return convergedReference_.render(passesOf(settings_, inputs), frame, observe);
+}
+
+Truth TruthFinder::rayTraced(const mres::Frame& frame, const EffectInputs& inputs,
+                             const WorkObserver& observe) const {
+  const GridSurfaces surfaces = readSurfaces(rayGridOf(frame.size), frame);
+  if (settings_.effect == kSoftShadowEffect)
+    return traceSunVisibility(rayScene_, surfaces, sunRays(settings_, frame, inputs), observe);
+  return traceAccessibility(rayScene_, surfaces, {settings_.ssao.radius, settings_.ssao.intensity}, observe);
+}
+
+}  // namespace host
