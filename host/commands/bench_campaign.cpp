@@ -27,6 +27,10 @@ PictureSettings settingsOf(const BenchCase& benchCase) {
   return settings;
 }
 
+std::uint64_t bytesNeededBy(const BenchCase& benchCase) {
+  return benchCase.truth ? bytesOfComparisonWithTruth(benchCase.size) : bytesOfComparison(benchCase.size);
+}
+
 fs::path pictureFolderOf(const BenchCase& benchCase) {
   return fs::path("pictures") /
          fmt::format("{}-{}-{}", benchCase.scene.name, benchCase.camera, benchCase.effect);
@@ -80,12 +84,12 @@ bool Campaign::measure(const BenchCase& benchCase) {
   PictureSettings settings = settingsOf(benchCase);
   Measurement wanted = describePicture(*scene, settings, benchCase.camera, benchCase.size);
   wanted.settings = settingsTable(settings).values();
-  if (results_.contains(wanted, request_.timing.timing)) return false;
+  if (results_.contains(wanted, {request_.timing.timing, benchCase.truth})) return false;
 
-  requireMemory(bytesOfComparison(benchCase.size), availableMemory());
+  requireMemory(bytesNeededBy(benchCase), availableMemory());
   Comparison& comparison = workbench_.comparison(settings, wanted.settings);
   Measurement measurement = comparison.measure(
-      {benchCase.camera, benchCase.size, request_.timing.planOf(benchCase)},
+      {benchCase.camera, benchCase.size, request_.timing.planOf(benchCase), benchCase.truth},
       [&](double share, const std::string& what) { show(kShareOfMeasuring * share, benchCase, what); });
   measurement.settings = wanted.settings;
   if (benchCase.pictures) measurement.pictures = writeCasePictures(benchCase, comparison);

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "host/commands/bench_summary.h"
+#include "host/commands/bench_truth_summary.h"
 #include "host/commands/plot_script.h"
 #include "host/image/data_uri.h"
 
@@ -118,6 +119,8 @@ std::string makePage(const Json& report, const std::vector<fs::path>& plots, con
               {"views", views},
               {"table", tableOf(tableRows(report))},
               {"settings", settingsOf(report)}};
+  if (const auto truths = truthSummaryRows(report); !truths.empty())
+    page["truth"] = Object{{"meaning", kTruthSummaryMeaning}, {"table", tableOf(truths)}};
   if (const std::string commit = report.value("commit", ""); !commit.empty()) page["commit"] = commit;
   if (report.contains("date")) page["date"] = report["date"].get<std::string>();
   kainjow::mustache::mustache pageTemplate(pageFile("page.html"));

@@ -48,6 +48,10 @@ bool isSamePicture(const Json& a, const Json& b) {
   return std::ranges::all_of(kIdentity, [&](const char* field) { return a.at(field) == b.at(field); });
 }
 
+bool has(const Json& result, WantedParts parts) {
+  return !(parts.times && result.at("speedup").is_null()) && !(parts.truth && truthsOf(result).is_null());
+}
+
 }  // namespace
 
 BenchResults::BenchResults(std::filesystem::path file, const Machine& machine, bool resume)
@@ -57,10 +61,10 @@ BenchResults::BenchResults(std::filesystem::path file, const Machine& machine, b
   if (resume && std::filesystem::exists(file_, ignored)) report_ = readReport(file_, report_);
 }
 
-bool BenchResults::contains(const Measurement& wanted, bool timed) const {
+bool BenchResults::contains(const Measurement& wanted, WantedParts parts) const {
   const Json description = toJson(wanted);
   return std::ranges::any_of(report_.at("results"), [&](const Json& result) {
-    return isSamePicture(result, description) && !(timed && result.at("speedup").is_null());
+    return isSamePicture(result, description) && has(result, parts);
   });
 }
 

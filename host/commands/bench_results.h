@@ -7,6 +7,12 @@
 
 namespace host {
 
+/// What a result has to have besides errors.
+struct WantedParts {
+  bool times = false;
+  bool truth = false;
+};
+
 /// The results.json of a campaign: on disk after every measurement, so that an interrupted campaign can go
 /// on.
 class BenchResults {
@@ -15,8 +21,8 @@ class BenchResults {
   /// sound report, or one of another machine or version of mres.
   BenchResults(std::filesystem::path file, const Machine& machine, bool resume);
 
-  /// Whether the picture that `wanted` describes was measured with these settings, and timed if it has to be.
-  [[nodiscard]] bool contains(const Measurement& wanted, bool timed) const;
+  /// Whether the picture that `wanted` describes was measured with these settings and has those parts.
+  [[nodiscard]] bool contains(const Measurement& wanted, WantedParts parts) const;
 
   /// Adds a result, in place of an older one of the same picture, and writes the file.
   void add(const Measurement& measurement);

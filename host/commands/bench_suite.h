@@ -19,6 +19,7 @@ struct BenchCase {
   glm::ivec2 size{0};
   int camera = 0;         ///< scenes that have fewer go without
   bool pictures = false;  ///< whether the report shows it
+  bool truth = false;     ///< whether it is measured against truth, too
 };
 
 struct SuiteRequest {

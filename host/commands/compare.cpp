@@ -24,6 +24,7 @@ struct CompareOptions {
   ViewOptions view;
   PictureOptions picture;
   TimingOptions timing;
+  bool truth = false;
   fs::path output;
 };
 
@@ -31,6 +32,7 @@ constexpr const char* kExamples = R"(
 Examples:
   mres compare hall --size 4k -o out                    a picture and a number
   mres compare hall --camera all --no-timing -o out     pictures and errors of every camera
+  mres compare hall --truth --no-timing -o out          what the reference itself is worth
   mres compare room.glb --samples 16 --set radius=0.8 --json -o out
 
 The folder gets full.png and mres.png (lit), effect_full and effect_mres (.png, and .exr with the exact values),
@@ -67,10 +69,11 @@ class CompareRun {
 
  private:
   void compareCamera(int camera) {
-    Measurement measurement = comparison_.measure(
-        {camera, options_.view.size, options_.timing.plan()}, [&](double share, const std::string& what) {
-          show(0.9 * share, fmt::format("camera {}: {}", camera, what));
-        });
+    Measurement measurement =
+        comparison_.measure({camera, options_.view.size, options_.timing.plan(), options_.truth},
+                            [&](double share, const std::string& what) {
+                              show(0.9 * share, fmt::format("camera {}: {}", camera, what));
+                            });
     measurement.settings = settingsTable(settings_).values();
     const fs::path folder = pictureFolder(cameras_.size(), camera);
     const OutputDirectory directory(options_.output / folder);
@@ -99,7 +102,8 @@ class CompareRun {
 void runCompare(const CompareOptions& options) {
   if (options.picture.settings.effect == kNoEffect)
     throw UsageError("Without an effect there is nothing to compare; give --effect ssao.");
-  requireMemory(bytesOfComparison(options.view.size), availableMemory());
+  const glm::ivec2 size = options.view.size;
+  requireMemory(options.truth ? bytesOfComparisonWithTruth(size) : bytesOfComparison(size), availableMemory());
   const OutputDirectory output(options.output);
   StderrProgressBar progress;
   const GlContext context;
@@ -112,7 +116,7 @@ void runCompare(const CompareOptions& options) {
   if (options.picture.json)
     fmt::print("{}", toText(report));
   else
-    fmt::print("{}\nPictures and report.json are in {}\n", toTable(report),
+    fmt::print("{}{}\nPictures and report.json are in {}\n", toTable(report), toTruthTable(report),
                fs::weakly_canonical(output.path()).string());
 }
 
@@ -125,6 +129,10 @@ void addCompareCommand(CLI::App& app, Action& action) {
   addViewOptions(*command, options->view);
   addPictureOptions(*command, options->picture);
   addTimingOptions(*command, options->timing, "the speedup");
+  command->add_flag(
+      "--truth", options->truth,
+      "also measure technique and reference against the effect with 4096 samples and, for ambient "
+      "occlusion and shadows, against ray tracing");
   command->add_option("-o,--output", options->output, "where pictures and report.json go")
       ->required()
       ->type_name("DIR");

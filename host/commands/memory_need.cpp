@@ -15,6 +15,7 @@ namespace {
 // differ by less than a tenth, since the pictures weigh more than the levels: the one that takes more counts.
 constexpr std::uint64_t kBytesPerRenderedPixel = 115;
 constexpr std::uint64_t kBytesPerComparedPixel = 200;
+constexpr std::uint64_t kBytesPerPixelOfTruth = 32;  // on top of a comparison's
 constexpr std::uint64_t kBytesOfProgramAndScene = 300'000'000;
 
 std::uint64_t pixelsOf(glm::ivec2 size) {
@@ -50,6 +51,10 @@ std::uint64_t bytesOfRender(glm::ivec2 size) {
 
 std::uint64_t bytesOfComparison(glm::ivec2 size) {
   return kBytesOfProgramAndScene + kBytesPerComparedPixel * pixelsOf(size);
+}
+
+std::uint64_t bytesOfComparisonWithTruth(glm::ivec2 size) {
+  return bytesOfComparison(size) + kBytesPerPixelOfTruth * pixelsOf(size);
 }
 
 std::uint64_t availableMemory() {

@@ -9,6 +9,7 @@ namespace host {
 /// software rasteriser, every target.
 std::uint64_t bytesOfRender(glm::ivec2 size);
 std::uint64_t bytesOfComparison(glm::ivec2 size);
+std::uint64_t bytesOfComparisonWithTruth(glm::ivec2 size);
 
 /// Bytes of main memory that this process may have: the machine's, or less where the process or its container
 /// is limited.

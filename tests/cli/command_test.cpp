@@ -196,11 +196,32 @@ TEST_F(Command, CompareReportsEveryFieldOfTheSchema) {
   EXPECT_TRUE(result["error"].contains("psnr"));
   EXPECT_GT(result["error"]["ssim"], 0.8);
   EXPECT_EQ(result["error"]["non_finite"], 0);
+  EXPECT_TRUE(result.at("truth").is_null());
   EXPECT_EQ(result["coverage"].back(), 1.0);
   EXPECT_TRUE(result["stages_ms"].contains("composite"));
   EXPECT_TRUE(result["skipped"].is_array());
   EXPECT_GT(result["gpu_bytes"], 0);
   EXPECT_EQ(result["settings"]["samples"], 8);
+}
+
+TEST_F(Command, CompareMeasuresAgainstTruthWhereAsked) {
+  const json truth = untimedComparison({"--truth"})["truth"];
+  EXPECT_GE(truth.at("converged").at("samples"), 4096);
+  EXPECT_EQ(truth.at("converged").at("pixels"), 16 * 9);  // a quarter in each direction
+  EXPECT_EQ(truth.at("ray_traced").at("rays"), 256);
+  EXPECT_EQ(truth.at("ray_traced").at("pixels"), 64 * 36);
+  for (const json& errors : truth) {
+    EXPECT_GT(errors.at("rms"), 0.0);
+    EXPECT_LE(errors.at("rms"), errors.at("max"));
+    EXPECT_LE(errors.at("reference_rms"), errors.at("reference_max"));
+    EXPECT_LT(errors.at("reference_rms"), 0.2);
+  }
+}
+
+TEST_F(Command, CompareSaysHowFarBothAreFromTheTruth) {
+  EXPECT_THAT(
+      succeed({"compare", scene_, "--size", "64x36", "--no-timing", "--truth", "-o", folder_ / "out"}),
+      AllOf(HasSubstr("converged, 4096 samples"), HasSubstr("ray traced, 256 rays")));
 }
 
 TEST_F(Command, CompareWritesItsPicturesAndNothingElse) {
@@ -301,7 +322,8 @@ TEST_F(Command, BenchWritesACampaignAndResumesIt) {
   EXPECT_TRUE(
       fs::exists(folder_.path() / "bench" / report["results"][0]["pictures"]["mres"].get<std::string>()));
   const std::string page = readFile(folder_.path() / "bench/report.html");
-  EXPECT_THAT(page, AllOf(HasSubstr("data:image/jpeg"), HasSubstr("</html>")));
+  EXPECT_THAT(page,
+              AllOf(HasSubstr("data:image/jpeg"), HasSubstr("Against the truth"), HasSubstr("</html>")));
   if (first.err.empty()) {  // else it says that there is no gnuplot
     EXPECT_THAT(filesBelow("bench/plots"), testing::Contains("speedup-by-size.svg"));
   }

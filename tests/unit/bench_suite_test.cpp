@@ -95,6 +95,20 @@ TEST(PaperSuite, ShowsEachEffectInEachScene) {
                                           "office 0 1920x1080 ssm 196"));
 }
 
+TEST(PaperSuite, MeasuresEveryViewAndEffectInOneSizeAgainstTruth) {
+  std::set<std::tuple<std::string, std::string, int>> views;
+  for (const BenchCase& each : suiteCases({"paper"}))
+    if (each.truth) {
+      EXPECT_EQ(each.size, glm::ivec2(1920, 1080)) << nameOf(each);
+      views.emplace(each.scene.name, each.effect, each.camera);
+    }
+  EXPECT_EQ(views.size(), 3U * 8 * effectNames().size());
+}
+
+TEST(QuickSuite, HasNoTimeForTruth) {
+  for (const BenchCase& each : suiteCases({"quick"})) EXPECT_FALSE(each.truth) << nameOf(each);
+}
+
 TEST(PaperSuite, LoadsEachSceneOnceAndKeepsEqualSettingsTogether) {
   const auto cases = suiteCases({"paper"});
   EXPECT_EQ(changes(cases, [](const BenchCase& each) { return each.scene.name; }), 3U);
@@ -117,7 +131,7 @@ TEST(PaperSuite, FitsItsTimeWithAllEffects) {
   for (const auto& [samples, views] : std::map<int, int>{{72, 6}, {144, 6}, {288, 24}, {528, 6}, {4224, 1}})
     cases.insert(cases.end(), views, {{}, "ssgi", samples, k4k});
   for (const glm::ivec2 size : {glm::ivec2(1280, 720), {1920, 1080}, {2560, 1440}, k4k})
-    cases.insert(cases.end(), 24, {{}, "ssgi", 228, size});
+    cases.insert(cases.end(), 24, {{}, "ssgi", 228, size, 0, false, size.y == 1080});
   EXPECT_LT(seconds(cases), 100 * 60.0);
 }
 
@@ -125,6 +139,13 @@ TEST(Plan, GivesSlowPicturesFewerPairs) {
   EXPECT_EQ(planOf({{}, "ssao", 64, {1280, 720}}).minPairs, 3);
   EXPECT_EQ(planOf({{}, "ssgi", 4224, k4k}).minPairs, 1);
   EXPECT_EQ(planOf({{}, "ssgi", 4224, k4k}).warmUpSeconds, 0.0);
+}
+
+TEST(Plan, ExpectsTruthToTakeItsTime) {
+  BenchCase benchCase{{}, "ssao", 64, {1920, 1080}};
+  const double without = secondsOf(benchCase, planOf(benchCase));
+  benchCase.truth = true;
+  EXPECT_GT(secondsOf(benchCase, planOf(benchCase)), without + 2.0);
 }
 
 TEST(Plan, ExpectsWhatWasAskedFor) {

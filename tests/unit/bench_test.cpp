@@ -12,6 +12,7 @@
 #include "host/commands/bench_plots.h"
 #include "host/commands/bench_results.h"
 #include "host/commands/bench_summary.h"
+#include "host/commands/bench_truth_summary.h"
 #include "host/image/image_file.h"
 #include "tests/support/temporary_folder.h"
 
@@ -40,6 +41,11 @@ Measurement measurementOf(int camera, glm::ivec2 size, int samples) {
   measurement.coverage = {0.1, 1.0};
   measurement.stages = {{"edges", 3.0}, {"level0", 7.0}};
   return measurement;
+}
+
+std::vector<TruthErrors> truthsOf(double reference, double technique) {
+  return {
+      {"converged", "samples", 4096, 100, {.rms = technique, .max = 0.6}, {.rms = reference, .max = 0.5}}};
 }
 
 std::string contentsOf(const fs::path& file) {
@@ -73,12 +79,12 @@ TEST_F(Bench, ResumingKnowsWhatWasMeasured) {
   }
   const BenchResults resumed(file(), kMachine, true);
   EXPECT_EQ(resumed.report()["results"].size(), 3U);
-  EXPECT_TRUE(resumed.contains(measurementOf(0, {1920, 1080}, 16), true));
-  EXPECT_FALSE(resumed.contains(measurementOf(1, {1920, 1080}, 16), true));
-  EXPECT_FALSE(resumed.contains(measurementOf(0, {1920, 1080}, 32), true));
+  EXPECT_TRUE(resumed.contains(measurementOf(0, {1920, 1080}, 16), {.times = true}));
+  EXPECT_FALSE(resumed.contains(measurementOf(1, {1920, 1080}, 16), {.times = true}));
+  EXPECT_FALSE(resumed.contains(measurementOf(0, {1920, 1080}, 32), {.times = true}));
   Measurement changed = measurementOf(0, {1920, 1080}, 16);
   changed.settings["radius"] = 2.0;
-  EXPECT_FALSE(resumed.contains(changed, true));
+  EXPECT_FALSE(resumed.contains(changed, {.times = true}));
 }
 
 TEST_F(Bench, WithoutResumingAllBeginsAnew) {
@@ -91,12 +97,23 @@ TEST_F(Bench, ResumingMeasuresAgainWhatWasNotTimed) {
   untimed.times.reset();
   { BenchResults(file(), kMachine, false).add(untimed); }
   BenchResults resumed(file(), kMachine, true);
-  EXPECT_TRUE(resumed.contains(untimed, false));
-  EXPECT_FALSE(resumed.contains(untimed, true));
+  EXPECT_TRUE(resumed.contains(untimed, {}));
+  EXPECT_FALSE(resumed.contains(untimed, {.times = true}));
   resumed.add(measurementOf(0, {64, 64}, 16));
   EXPECT_EQ(resumed.report()["results"].size(), 1U);
-  EXPECT_TRUE(resumed.contains(untimed, true));
-  EXPECT_TRUE(resumed.contains(untimed, false));
+  EXPECT_TRUE(resumed.contains(untimed, {.times = true}));
+  EXPECT_TRUE(resumed.contains(untimed, {}));
+}
+
+TEST_F(Bench, ResumingMeasuresAgainWhatHasNoTruth) {
+  BenchResults results(file(), kMachine, false);
+  Measurement measurement = measurementOf(0, {64, 64}, 16);
+  results.add(measurement);
+  EXPECT_TRUE(results.contains(measurement, {.times = true}));
+  EXPECT_FALSE(results.contains(measurement, {.times = true, .truth = true}));
+  measurement.truths = truthsOf(0.02, 0.03);
+  results.add(measurement);
+  EXPECT_TRUE(BenchResults(file(), kMachine, true).contains(measurement, {.times = true, .truth = true}));
 }
 
 /// A report of one result, spoilt by `spoil`, and what resuming from it says.
@@ -117,6 +134,7 @@ std::string refusalOf(const fs::path& file, const std::function<void(Json&)>& sp
 TEST_F(Bench, ResumingFromASoundReportIsNotRefused) {
   EXPECT_EQ(refusalOf(file(), [](Json&) {}), "");
   EXPECT_EQ(refusalOf(file(), [](Json& report) { report["results"][0]["error"]["psnr"] = nullptr; }), "");
+  EXPECT_EQ(refusalOf(file(), [](Json& report) { report["results"][0].erase("truth"); }), "");
 }
 
 TEST_F(Bench, ResumingFromAReportThatLacksAFieldIsRefused) {
@@ -162,6 +180,23 @@ TEST_F(Bench, ResumingOnAnotherMachineOrByAnotherVersionIsRefused) {
               HasSubstr("another machine"));
   EXPECT_THAT(refusalOf(file(), [](Json& report) { report["version"] = "0.0.9"; }), HasSubstr("mres 0.0.9"));
   EXPECT_THAT(refusalOf(file(), [](Json& report) { report["commit"] = "abc"; }), HasSubstr("commit \"abc\""));
+}
+
+TEST_F(Bench, ResumingFromABrokenTruthIsRefused) {
+  const auto refusalOfTruth = [&](const Json& truth) {
+    return refusalOf(file(), [&](Json& report) { report["results"][0]["truth"] = truth; });
+  };
+  const Json whole{{"samples", 4096}, {"pixels", 100},        {"rms", 0.1},
+                   {"max", 0.2},      {"reference_rms", 0.1}, {"reference_max", 0.2}};
+  EXPECT_EQ(refusalOfTruth({{"converged", whole}}), "");
+  for (const auto& [field, value] : whole.items()) {
+    Json spoilt = whole;
+    spoilt.erase(field);
+    EXPECT_THAT(refusalOfTruth({{"converged", spoilt}}), HasSubstr("truth")) << field;
+    spoilt[field] = "0.1";
+    EXPECT_THAT(refusalOfTruth({{"converged", spoilt}}), HasSubstr("truth")) << field;
+  }
+  EXPECT_THAT(refusalOfTruth(3), HasSubstr("truth"));
 }
 
 TEST_F(Bench, PlotsAreDrawnFromTheReportAlone) {
@@ -263,6 +298,34 @@ TEST(BenchSummary, HasARowForEachEffectSamplesAndSize) {
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_THAT(rows[2], testing::ElementsAre("ssao", "16", "64x64", "2", "2.50x", "2.00x", "3.00x", "0.0100",
                                             "0.0100", "0.0100"));
+}
+
+Json reportWithTruths() {
+  Json report = makeReport(kMachine);
+  for (const int camera : {0, 1, 2}) {
+    Measurement measurement = measurementOf(camera, {64, 64}, 16);
+    if (camera < 2) measurement.truths = truthsOf(0.01 + 0.02 * camera, 0.02 + 0.02 * camera);
+    report["results"].push_back(toJson(measurement));
+  }
+  return report;
+}
+
+TEST(TruthSummary, HasMeansOfTheViewsThatHaveTruths) {
+  const auto rows = truthSummaryRows(reportWithTruths());
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_THAT(rows[1], testing::ElementsAre("ssao", "16", "64x64", "converged, 4096 samples", "2", "0.0200",
+                                            "0.0300", "+50.0 %"));
+  Json without = makeReport(kMachine);
+  without["results"].push_back(toJson(measurementOf(0, {64, 64}, 16)));
+  EXPECT_TRUE(truthSummaryRows(without).empty());
+}
+
+TEST_F(Bench, ThePageTellsTruthsWhereThereAreSome) {
+  EXPECT_THAT(makePage(reportWithTruths(), {}, folder_),
+              AllOf(HasSubstr("Against the truth"), HasSubstr("+50.0 %"), HasSubstr("loses nothing")));
+  BenchResults results(file(), kMachine, false);
+  fillReport(results);
+  EXPECT_THAT(makePage(results.report(), {}, folder_), testing::Not(HasSubstr("Against the truth")));
 }
 
 }  // namespace
