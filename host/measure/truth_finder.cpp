@@ -12,7 +12,7 @@ constexpr int kConvergedSamples = 4096;
 constexpr int kMostRayTracedPixels = 40000;  // of a picture of any size
 constexpr int kSeeds = 65536;                // different ones
 
-constexpr double kShareOfConverging = 0.5;  // of the time, about
+constexpr double kShareOfConverging = 0.85;  // of the time, about
 
 /// As many as the effect takes at once.
 template <class EffectSettings>

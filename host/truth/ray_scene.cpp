@@ -57,7 +57,7 @@ void requireSuccess(RTCDevice device) {
 struct RayScene::Geometry {
   explicit Geometry(const Scene& scene);
 
-  SceneHandle newScene() const;
+  [[nodiscard]] SceneHandle newScene() const;
   SceneHandle sceneOf(const Scene& scene, const Mesh& mesh);
   void attach(RTCScene scene, const GeometryHandle& geometry) const;
 

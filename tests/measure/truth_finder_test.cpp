@@ -45,6 +45,9 @@ class Truths : public testing::Test {
     settings.effect = effect;
     settings.softShadows.contactHardening = true;
     settings.softShadows.lightAngle = 4.0f;
+    return findWith(settings, scene);
+  }
+  std::vector<Truth> findWith(const PictureSettings& settings, const Scene& scene) {
     Renderer renderer(scene, profiler_);
     const mres::Frame frame = frameOf(renderer, renderer.drawGeometry(scene.cameras[0], kSize), kSize);
     return TruthFinder(scene, settings).find(frame, drawInputs(renderer, settings), [](auto&&...) {});
@@ -69,6 +72,13 @@ TEST_F(Truths, AreThoseThatAnEffectHas) {
   EXPECT_THAT(namesOf(scene, "ssao"), ElementsAre("converged", "ray_traced"));
   EXPECT_THAT(namesOf(scene, "ssm"), ElementsAre("converged", "ray_traced"));
   EXPECT_THAT(namesOf(scene, "ssgi"), ElementsAre("converged"));
+}
+
+TEST_F(Truths, TheLastSeedIsFollowedByTheFirst) {
+  PictureSettings settings;
+  settings.ssao.seed = 65535;
+  const Scene scene = blockOnFloor();
+  EXPECT_EQ(findWith(settings, scene).size(), 2U);
 }
 
 TEST_F(Truths, WithoutASunThereIsNoLightToTrace) {
