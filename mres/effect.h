@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 #include <span>
 
+#include "mres/frame.h"
 #include "mres/gl/program.h"
 #include "mres/gl/shader_library.h"
 #include "mres/settings.h"
@@ -77,8 +78,9 @@ class Effect {
   /// and in use. Keep nothing of it in the effect: an equal one renders with it, too.
   virtual void setUp(const gl::Program& program) = 0;
 
-  /// Called before the draws of a frame: uploads the effect's settings, binds its textures and blocks.
-  virtual void bind() = 0;
+  /// Called before the draws of a frame: uploads the effect's settings, binds its textures and blocks. May
+  /// throw std::invalid_argument, which MultiResolution::render() passes on with the host's state put back.
+  virtual void bind(const Frame& frame) = 0;
 };
 
 }  // namespace mres

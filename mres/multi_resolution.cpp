@@ -81,7 +81,7 @@ GLuint MultiResolution::Implementation::render(Effect& effect, const Frame& fram
   const PlannedFrame planned{context, settings, plan, *shared, passes, measureCoverage};
   planned.prepareLevels();
   if (effect.description().readsPyramid) shared->pyramid.draw(context, frame.size);
-  effect.bind();
+  effect.bind(frame);
   edges = planned.hasMasks() ? drawMasks(planned, frame, params, depth) : EdgeImages{};
   drawLevels(planned);
   context.profiler.endFrame();

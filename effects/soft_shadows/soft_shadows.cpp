@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "effects/soft_shadows/disk_samples.h"
-#include "mres/gl/texture.h"
+#include "mres/gl/bound_texture.h"
 #include "mres/gl/uniform_buffer.h"
 #include "mres/validate.h"
 #include "shaders/effects/soft_shadows_params.h"
@@ -134,11 +134,15 @@ void SoftShadows::setUp(const gl::Program& program) {
   program.setTextureUnit("shadowMap", kEffectTextureUnit);
 }
 
-void SoftShadows::bind() {
+void SoftShadows::bind(const Frame& /*frame*/) {
   if (!uploaded_) resources_->params.upload(makeParams(settings_, inputs_));
   uploaded_ = true;
   resources_->params.bind(kEffectBlockBinding);
-  gl::bindTexture(kEffectTextureUnit, inputs_.shadowMap, resources_->sampler);
+  if (inputs_.shadowMap == 0) return gl::bindTexture(kEffectTextureUnit, 0, resources_->sampler);
+  const gl::BoundTexture map("ShadowInputs::shadowMap", kEffectTextureUnit, inputs_.shadowMap,
+                             resources_->sampler);
+  map.requireSize(inputs_.mapSize, "ShadowInputs::mapSize is");
+  map.requireDepth();
 }
 
 }  // namespace mres

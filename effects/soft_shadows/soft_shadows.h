@@ -43,7 +43,8 @@ void visit(SoftShadowSettings& settings, Visitor&& visitor) {
   visitor("seed", settings.seed, SettingInfo{"", 0.0, 65535.0, "Turns the samples."});
 }
 
-/// What the host hands over each frame. The shadow map stays the host's.
+/// What the host hands over each frame. render() throws std::invalid_argument for a texture that is not as
+/// told here. The shadow map stays the host's.
 struct ShadowInputs {
   GLuint shadowMap = 0;   ///< GL_TEXTURE_2D, any depth format; smaller depths are nearer to the light
   glm::ivec2 mapSize{0};  ///< texels, 1..16384 each
@@ -76,7 +77,7 @@ class SoftShadows final : public Effect {
   [[nodiscard]] const EffectDescription& description() const override;
   [[nodiscard]] const LevelTable& levels() const override { return settings_.levels; }
   void setUp(const gl::Program& program) override;
-  void bind() override;
+  void bind(const Frame& frame) override;
 
  private:
   struct Resources;

@@ -63,7 +63,7 @@ void Ssao::setUp(const gl::Program& program) {
   program.setBlockBinding("SsaoParams", kEffectBlockBinding);
 }
 
-void Ssao::bind() {
+void Ssao::bind(const Frame& /*frame*/) {
   if (!uploaded_) block_->params.upload(makeParams(settings_));
   uploaded_ = true;
   block_->params.bind(kEffectBlockBinding);

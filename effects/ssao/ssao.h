@@ -47,7 +47,7 @@ class Ssao final : public Effect {
   [[nodiscard]] const EffectDescription& description() const override;
   [[nodiscard]] const LevelTable& levels() const override { return settings_.levels; }
   void setUp(const gl::Program& program) override;
-  void bind() override;
+  void bind(const Frame& frame) override;
 
  private:
   struct Block;

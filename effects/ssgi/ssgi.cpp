@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "effects/common/sample_points.h"
+#include "mres/gl/bound_texture.h"
 #include "mres/gl/texture.h"
 #include "mres/gl/uniform_buffer.h"
 #include "mres/validate.h"
@@ -128,7 +129,7 @@ void Ssgi::setUp(const gl::Program& program) {
   program.setTextureUnit("litPicture", kRadianceUnit);
 }
 
-void Ssgi::bind() {
+void Ssgi::bind(const Frame& frame) {
   if (!pointsUploaded_) resources_->setPoints(settings_.samples, settings_.seed);
   pointsUploaded_ = true;
   resources_->points.bind(kPointsBinding);
@@ -137,7 +138,11 @@ void Ssgi::bind() {
   const GLuint points = resources_->morePoints.id();
   gl::bindTexture(kPointsUnit, points, resources_->nearest);
   // Without a lit picture the shader still reads one, and drivers warn of none: any complete texture will do.
-  gl::bindTexture(kRadianceUnit, inputs_.radiance == 0 ? points : inputs_.radiance, resources_->nearest);
+  if (inputs_.radiance == 0) return gl::bindTexture(kRadianceUnit, points, resources_->nearest);
+  const gl::BoundTexture radiance("SsgiInputs::radiance", kRadianceUnit, inputs_.radiance,
+                                  resources_->nearest);
+  radiance.requireSize(frame.size, "Frame::size is");
+  radiance.requireChannels(3);
 }
 
 }  // namespace mres

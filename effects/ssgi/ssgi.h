@@ -36,7 +36,8 @@ void visit(SsgiSettings& settings, Visitor&& visitor) {
   visitor("seed", settings.seed, SettingInfo{"", 0.0, 65535.0, "Chooses the point set."});
 }
 
-/// What the host hands over each frame. Radiances are in one unit of the host's choice.
+/// What the host hands over each frame. render() throws std::invalid_argument for a texture that is not as
+/// told here. Radiances are in one unit of the host's choice.
 struct SsgiInputs {
   GLuint radiance = 0;  ///< lit picture: GL_TEXTURE_2D, float, linear, frame.size texels. 0: no bounce.
   float radianceScale = 1.0f;        ///< [0, 65504]. Multiplies the picture, e.g. exposure.
@@ -67,7 +68,7 @@ class Ssgi final : public Effect {
   [[nodiscard]] const EffectDescription& description() const override;
   [[nodiscard]] const LevelTable& levels() const override { return settings_.levels; }
   void setUp(const gl::Program& program) override;
-  void bind() override;
+  void bind(const Frame& frame) override;
 
  private:
   struct Resources;

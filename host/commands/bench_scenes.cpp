@@ -46,7 +46,7 @@ std::string nameOf(const fs::path& file, int folders) {
   std::string name = file.stem().string();
   fs::path above = file.parent_path();
   for (; folders > 0 && above.has_filename(); --folders, above = above.parent_path())
-    name = above.filename().string() + "-" + name;
+    name.insert(0, above.filename().string() + "-");
   return name;
 }
 
@@ -57,7 +57,7 @@ std::string uniqueName(const fs::path& file, const std::set<fs::path>& all) {
   };
   const auto depth = static_cast<int>(std::distance(file.begin(), file.end()));
   for (int folders = 0; folders < depth; ++folders)
-    if (const std::string name = nameOf(file, folders); count(name, folders) == 1) return name;
+    if (std::string name = nameOf(file, folders); count(name, folders) == 1) return name;
   return nameOf(file, depth) + file.extension().string();
 }
 
@@ -68,6 +68,7 @@ std::vector<BenchScene> findScenes(const std::vector<fs::path>& paths) {
   for (const fs::path& path : paths)
     for (const fs::path& file : scenesOf(path)) files.insert(fs::absolute(file).lexically_normal());
   std::vector<BenchScene> scenes;
+  scenes.reserve(files.size());
   for (const fs::path& file : files) scenes.push_back({file.string(), uniqueName(file, files)});
   return scenes;
 }

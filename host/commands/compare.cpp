@@ -103,7 +103,8 @@ void runCompare(const CompareOptions& options) {
   if (options.picture.settings.effect == kNoEffect)
     throw UsageError("Without an effect there is nothing to compare; give --effect ssao.");
   const glm::ivec2 size = options.view.size;
-  requireMemory(options.truth ? bytesOfComparisonWithTruth(size) : bytesOfComparison(size), availableMemory());
+  requireMemory(options.truth ? bytesOfComparisonWithTruth(size) : bytesOfComparison(size),
+                availableMemory());
   const OutputDirectory output(options.output);
   StderrProgressBar progress;
   const GlContext context;

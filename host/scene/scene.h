@@ -144,7 +144,8 @@ glm::mat4 viewMatrix(const Camera& camera);
 glm::mat4 projectionMatrix(const Camera& camera, float aspect);
 
 /// The scene of a built-in name (`office`, `hall`, `breakfast`) or of a .gltf or .glb file, with at least one
-/// camera: those of the file beside it (camera_file.h), of the file itself, or found automatically. Throws std::runtime_error with a sentence that says what is wrong and what to do.
+/// camera: those of the file beside it (camera_file.h), of the file itself, or found automatically. Throws
+/// std::runtime_error with a sentence that says what is wrong and what to do.
 Scene loadScene(const std::string& nameOrPath);
 
 /// The built-in names, in the order in which they are listed to users.

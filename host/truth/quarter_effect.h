@@ -15,7 +15,7 @@ class QuarterEffect final : public mres::Effect {
   [[nodiscard]] const mres::EffectDescription& description() const override { return description_; }
   [[nodiscard]] const mres::LevelTable& levels() const override;
   void setUp(const mres::gl::Program& program) override { effect_->setUp(program); }
-  void bind() override { effect_->bind(); }
+  void bind(const mres::Frame& frame) override { effect_->bind(frame); }
 
  private:
   std::unique_ptr<mres::Effect> effect_;

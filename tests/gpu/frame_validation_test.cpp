@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "effects/soft_shadows/soft_shadows.h"
+#include "effects/ssgi/ssgi.h"
 #include "mres/level/frame_params.h"
 #include "mres/mres.h"
 #include "tests/support/gl_test.h"
@@ -134,7 +136,7 @@ TEST_F(FrameTextures, MustHaveTheSizeOfTheFrame) {
   const SyntheticGBuffer other(otherSize, perspective(otherSize), room());
   Frame bad = gbuffer_.frame();
   bad.depth = other.frame().depth;
-  expectTexturesRefused(bad, "Frame::depth has 41x30 texels, but Frame::size is 40x30 pixels");
+  expectTexturesRefused(bad, "Frame::depth has 41x30 texels, but Frame::size is 40x30.");
   bad = gbuffer_.frame();
   bad.normals = other.frame().normals;
   expectTexturesRefused(bad, "Frame::normals has 41x30 texels");
@@ -147,7 +149,7 @@ TEST_F(FrameTextures, MustHaveFormatsThatShadersCanRead) {
   expectTexturesRefused(bad, "Frame::depth must have a depth format");
   bad = gbuffer_.frame();
   bad.normals = color.id();
-  expectTexturesRefused(bad, "three or four channels");
+  expectTexturesRefused(bad, "at least 3 channels");
   const gl::TextureName integers = gl::TextureName::create();
   glBindTexture(GL_TEXTURE_2D, integers.id());
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8UI, kSize.x, kSize.y, 0, GL_RGBA_INTEGER, GL_UNSIGNED_BYTE, nullptr);
@@ -157,8 +159,41 @@ TEST_F(FrameTextures, MustHaveFormatsThatShadersCanRead) {
   for (const GLuint name : {integers.id(), gbuffer_.frame().depth}) {
     bad = gbuffer_.frame();
     bad.importance = name;
-    expectTexturesRefused(bad, "Frame::importance must have a red channel");
+    expectTexturesRefused(bad, "Frame::importance must have at least 1 channel");
   }
+}
+
+TEST_F(FrameTextures, OfEffectsAreCheckedToo) {
+  const gl::Texture2D color(GL_RGBA16F, kSize, "test.color");
+  const gl::Texture2D grey(GL_R16F, kSize, "test.grey");
+  const glm::ivec2 otherSize(41, 30);
+  const gl::Texture2D wide(GL_RGBA16F, otherSize, "test.wide");
+  const auto refusal = [&](Effect& effect) -> std::string {
+    try {
+      multiResolution_.render(effect, gbuffer_.frame());
+      return "";
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+  };
+  SoftShadows shadows({.samples = 1});
+  const GLuint depth = gbuffer_.frame().depth;
+  shadows.setInputs({.shadowMap = 123456, .mapSize = kSize});
+  EXPECT_THAT(refusal(shadows), testing::HasSubstr("ShadowInputs::shadowMap must name a GL_TEXTURE_2D"));
+  shadows.setInputs({.shadowMap = depth, .mapSize = otherSize});
+  EXPECT_THAT(refusal(shadows), testing::HasSubstr("ShadowInputs::mapSize is 41x30"));
+  shadows.setInputs({.shadowMap = color.id(), .mapSize = kSize});
+  EXPECT_THAT(refusal(shadows), testing::HasSubstr("must have a depth format"));
+  shadows.setInputs({.shadowMap = depth, .mapSize = kSize});
+  EXPECT_EQ(refusal(shadows), "");
+  Ssgi ssgi({.samples = 8});
+  ssgi.setInputs({.radiance = wide.id()});
+  EXPECT_THAT(refusal(ssgi), testing::HasSubstr("SsgiInputs::radiance has 41x30 texels"));
+  ssgi.setInputs({.radiance = grey.id()});
+  EXPECT_THAT(refusal(ssgi), testing::HasSubstr("at least 3 channels"));
+  ssgi.setInputs({.radiance = color.id()});
+  EXPECT_EQ(refusal(ssgi), "");
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
 TEST_F(FrameTextures, MayBeTheFirstUsedMipOfATexture) {

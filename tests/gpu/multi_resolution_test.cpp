@@ -205,7 +205,7 @@ class TexturedEffect final : public TestEffect {
   void setUp(const gl::Program& program) override {
     program.setTextureUnit("effectTexture", kEffectTextureUnit);
   }
-  void bind() override { gl::bindTexture(kEffectTextureUnit, texture_.id(), sampler_); }
+  void bind(const Frame&) override { gl::bindTexture(kEffectTextureUnit, texture_.id(), sampler_); }
 
  private:
   static constexpr float kTexel = 0.625f;

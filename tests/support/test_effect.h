@@ -25,7 +25,7 @@ class TestEffect : public Effect {
   [[nodiscard]] const LevelTable& levels() const override { return recipe_.levels; }
   void setLevels(const LevelTable& levels) { recipe_.levels = levels; }
   void setUp(const gl::Program&) override {}
-  void bind() override {}
+  void bind(const Frame&) override {}
 
  private:
   Recipe recipe_;

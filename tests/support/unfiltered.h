@@ -24,7 +24,7 @@ class Unfiltered final : public Effect {
   [[nodiscard]] const EffectDescription& description() const override { return description_; }
   [[nodiscard]] const LevelTable& levels() const override { return effect_.levels(); }
   void setUp(const gl::Program& program) override { effect_.setUp(program); }
-  void bind() override { effect_.bind(); }
+  void bind(const Frame& frame) override { effect_.bind(frame); }
 
  private:
   FilteredEffect effect_;

@@ -34,7 +34,7 @@ glm::vec3 directionOf(const Light& light) {
 
 }  // namespace
 
-LightSet::LightSet(const std::vector<Light>& lights) : others_(lights) {
+LightSet::LightSet(std::vector<Light> lights) : others_(std::move(lights)) {
   std::erase_if(others_, [](const Light& light) { return brightness(light) <= 0.0f; });
   std::ranges::stable_sort(others_, std::ranges::greater{}, brightness);
   if (const auto sun = std::ranges::find_if(others_, isSun); sun != others_.end()) {

@@ -11,7 +11,7 @@ namespace host {
 /// The scene's lights by how they are drawn.
 class LightSet {
  public:
-  explicit LightSet(const std::vector<Light>& lights);
+  explicit LightSet(std::vector<Light> lights);
 
   /// The brightest directional light: the one that casts shadows.
   [[nodiscard]] const std::optional<Light>& sun() const { return sun_; }
