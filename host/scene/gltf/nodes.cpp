@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <glm/gtc/quaternion.hpp>
+#include <iterator>
 #include <numeric>
 #include <stdexcept>
 
@@ -88,7 +89,9 @@ struct Pending {
 
 /// Pushed in reverse, so that nodes come off the stack in the order of the file.
 void push(std::vector<Pending>& stack, const std::vector<int>& nodes, const glm::dmat4& parentTransform) {
-  for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) stack.push_back({*node, parentTransform});
+  std::transform(nodes.rbegin(), nodes.rend(), std::back_inserter(stack), [&](int node) {
+    return Pending{node, parentTransform};
+  });
 }
 
 }  // namespace
