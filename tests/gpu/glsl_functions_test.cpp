@@ -303,7 +303,8 @@ TEST_F(GlslFunctions, TangentFrameIsOrthonormalForEveryNormal) {
   }
   for (const float z : {1.0f, -1.0f}) {
     normals.emplace_back(0.0f, 0.0f, z, 0.0f);
-    for (float tilt = 1e-8f; tilt < 0.5f; tilt *= 3.0f) {
+    for (int power = 0; power < 17; ++power) {
+      const auto tilt = static_cast<float>(1e-8 * std::pow(3.0, power));
       normals.emplace_back(glm::normalize(glm::vec3(random(-tilt, tilt), random(-tilt, tilt), z)), 0.0f);
     }
   }
