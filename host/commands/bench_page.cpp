@@ -113,6 +113,7 @@ std::string makePage(const Json& report, const std::vector<fs::path>& plots, con
               {"driver", machine.value("version", "")},
               {"cores", machine.value("cores", Json(0)).dump()},
               {"version", report["version"].get<std::string>()},
+              {"sortable_table", kainjow::mustache::partial([] { return pageFile("sortable_table.html"); })},
               {"summary", tableOf(summaryRows(report))},
               {"plots", plotsOf(plots, folder)},
               {"has_views", !views.empty()},
