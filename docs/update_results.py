@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Puts measured numbers into docs/results.md; ./dev results measures them first.
 
-Usage: docs/update_results.py REPORTS
+Usage: docs/update_results.py REPORTS [PAGE]
 
 REPORTS is a folder of folders that mres compare and mres bench wrote. Each block of the page that begins with
 `<!-- begin KIND NAME -->` and ends with `<!-- end -->` is written anew from REPORTS/NAME and nothing else, KIND being
-machine, table, summary, stages or plots. Blocks of reports that are not there stay, and so does the text around them.
+machine, table, summary, truth, stages or plots; plots go to results/NAME beside the page. Blocks of reports that are not
+there stay, and so does the text around them.
 """
 import json
 import pathlib
@@ -14,8 +15,7 @@ import shutil
 import statistics
 import sys
 
-DOCS = pathlib.Path(__file__).resolve().parent
-PAGE = DOCS / "results.md"
+PAGE = pathlib.Path(__file__).resolve().parent / "results.md"
 BLOCK = re.compile(r"(<!-- begin (\w+) ([\w-]+) -->\n).*?(<!-- end -->)", re.DOTALL)
 
 
@@ -31,48 +31,99 @@ def markdown(rows):
     return "".join("| " + " | ".join(row) + " |\n" for row in [rows[0], alignment, *rows[1:]])
 
 
-def machine(report, _folder):
+def field(result, path):
+    """None where anything on the way is."""
+    for name in path:
+        result = None if result is None else result.get(name)
+    return result
+
+
+def cell(value, form):
+    return "–" if value is None else form.format(value)
+
+
+def overall(figure, values):
+    """`figure`, such as max, of the values that there are."""
+    known = [value for value in values if value is not None]
+    return figure(known) if known else None
+
+
+def grouped(items, key):
+    """Lists of items by their key, sorted by it."""
+    groups = {}
+    for item in items:
+        groups.setdefault(key(item), []).append(item)
+    return sorted(groups.items())
+
+
+def work(result):
+    return result["effect"], result["samples"], result["width"], result["height"]
+
+
+def work_title(effect, samples, width, height):
+    return f"{effect} {samples}, {width}×{height}"
+
+
+def machine(report, _folder, _page):
     device = report["machine"]
-    return f"{device['renderer']}, {device['version']}, {device['cores']} cores.\n"
+    parts = [device["renderer"], device["version"], f"{device['cores']} cores"]
+    if report.get("commit"):
+        parts.append(f"commit {report['commit']}")
+    if report.get("date"):
+        parts.append(report["date"])
+    return ", ".join(parts) + ".\n"
 
 
-def table(report, _folder):
+def table(report, _folder, _page):
     figures = (
-        ("full, ms", lambda r: r["reference_time_ms"]["median"], "{:.0f}"),
-        ("mres, ms", lambda r: r["time_ms"]["median"], "{:.0f}"),
-        ("speedup", lambda r: r["speedup"], "{:.2f}"),
-        ("RMS", lambda r: r["error"]["rms"], "{:.4f}"),
-        ("max", lambda r: r["error"]["max"], "{:.3f}"),
-        ("PSNR, dB", lambda r: r["error"]["psnr"], "{:.1f}"),
-        ("SSIM", lambda r: r["error"]["ssim"], "{:.4f}"),
+        ("full, ms", ("reference_time_ms", "median"), "{:.0f}"),
+        ("mres, ms", ("time_ms", "median"), "{:.0f}"),
+        ("speedup", ("speedup",), "{:.2f}"),
+        ("RMS", ("error", "rms"), "{:.4f}"),
+        ("max", ("error", "max"), "{:.3f}"),
+        ("PSNR, dB", ("error", "psnr"), "{:.1f}"),
+        ("SSIM", ("error", "ssim"), "{:.4f}"),
     )
     results = report["results"]
     rows = [["view, size, effect, samples"] + [title for title, _, _ in figures] + ["coverage, %, fine to coarse"]]
     for r in results:
         view = f"{r['scene']} {r['camera']} ({r['camera_name']}), {r['width']}×{r['height']}, {r['effect']} {r['samples']}"
         coverage = " ".join(f"{share * 100:.0f}" for share in r["coverage"])
-        rows.append([view] + [form.format(get(r)) for _, get, form in figures] + [coverage])
-    if len({(r["scene"], r["width"], r["effect"], r["samples"]) for r in results}) == 1 < len(results):
-        means = [form.format(statistics.mean(get(r) for r in results)) for _, get, form in figures]
+        rows.append([view] + [cell(field(r, path), form) for _, path, form in figures] + [coverage])
+    if len({(r["scene"], *work(r)) for r in results}) == 1 < len(results):
+        means = [cell(overall(statistics.mean, (field(r, path) for r in results)), form) for _, path, form in figures]
         rows.append(["**mean**"] + [f"**{mean}**" for mean in means] + [""])
     return markdown(rows)
 
 
-def summary(report, _folder):
-    groups = {}
-    for r in report["results"]:
-        groups.setdefault((r["effect"], r["samples"], r["width"], r["height"]), []).append(r)
+def summary(report, _folder, _page):
     rows = [["effect, samples, size", "views", "speedup", "least", "greatest", "RMS", "greatest"]]
-    for (effect, samples, width, height), group in sorted(groups.items()):
-        speedups = [r["speedup"] for r in group]
-        errors = [r["error"]["rms"] for r in group]
-        rows.append([f"{effect} {samples}, {width}×{height}", str(len(group))]
-                    + [f"{f(speedups):.2f}" for f in (statistics.mean, min, max)]
-                    + [f"{f(errors):.4f}" for f in (statistics.mean, max)])
+    for key, results in grouped(report["results"], work):
+        speedups = [field(r, ("speedup",)) for r in results]
+        errors = [field(r, ("error", "rms")) for r in results]
+        rows.append([work_title(*key), str(len(results))]
+                    + [cell(overall(figure, speedups), "{:.2f}") for figure in (statistics.mean, min, max)]
+                    + [cell(overall(figure, errors), "{:.4f}") for figure in (statistics.mean, max)])
     return markdown(rows)
 
 
-def stages(report, _folder):
+def truth_title(name, errors):
+    unit = "rays" if "rays" in errors else "samples"
+    return f"{name.replace('_', ' ')}, {errors[unit]} {unit}"
+
+
+def truth(report, _folder, _page):
+    pictures = [(*work(r), truth_title(name, errors), errors)
+                for r in report["results"] for name, errors in (r.get("truth") or {}).items()]
+    rows = [["effect, samples, size", "truth", "views", "full RMS", "mres RMS", "more"]]
+    for (*key, title), group in grouped(pictures, lambda picture: picture[:-1]):
+        full, mres = (statistics.mean(errors[name] for *_, errors in group) for name in ("reference_rms", "rms"))
+        more = (mres / full - 1) * 100 if full > 0 else None
+        rows.append([work_title(*key), title, str(len(group)), f"{full:.4f}", f"{mres:.4f}", cell(more, "{:+.1f} %")])
+    return markdown(rows)
+
+
+def stages(report, _folder, _page):
     results = report["results"]
     names = list(dict.fromkeys(name for r in results for name in r["stages_ms"]))
     means = {name: statistics.mean(r["stages_ms"].get(name, 0.0) for r in results) for name in names}
@@ -82,32 +133,36 @@ def stages(report, _folder):
     return markdown(rows)
 
 
-def plots(_report, folder):
-    target = DOCS / "results"
-    target.mkdir(exist_ok=True)
+def plots(_report, folder, page):
+    target = page.parent / "results" / folder.name
+    shutil.rmtree(target, ignore_errors=True)
+    target.mkdir(parents=True)
     lines = []
     for plot in sorted((folder / "plots").glob("*.svg")):
         shutil.copyfile(plot, target / plot.name)
-        lines.append(f"![{plot.stem.replace('-', ' ')}](results/{plot.name})\n")
+        lines.append(f"![{plot.stem.replace('-', ' ')}](results/{folder.name}/{plot.name})\n")
     return "\n".join(lines)
 
 
-KINDS = {"machine": machine, "table": table, "summary": summary, "stages": stages, "plots": plots}
+KINDS = {function.__name__: function for function in (machine, table, summary, truth, stages, plots)}
+
+
+def update(reports, page):
+    def block(match):
+        begin, kind, name, end = match.groups()
+        report = read_report(reports / name)
+        return f"{begin}\n{KINDS[kind](report, reports / name, page)}\n{end}" if report else match[0]
+
+    page.write_text(BLOCK.sub(block, page.read_text()))
 
 
 def main():
-    if len(sys.argv) != 2:
+    if not 2 <= len(sys.argv) <= 3:
         sys.exit(__doc__)
     reports = pathlib.Path(sys.argv[1])
     if not any(reports.glob("*/*.json")):
         sys.exit(f"update_results: there are no reports below '{reports}'; ./dev results makes them.")
-
-    def block(match):
-        folder = reports / match[3]
-        report = read_report(folder)
-        return match[1] + "\n" + KINDS[match[2]](report, folder) + "\n" + match[4] if report else match[0]
-
-    PAGE.write_text(BLOCK.sub(block, PAGE.read_text()))
+    update(reports, pathlib.Path(sys.argv[2]) if len(sys.argv) == 3 else PAGE)
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <epoxy/gl.h>
 #include <glm/glm.hpp>
 #include <span>
@@ -78,9 +79,13 @@ class Effect {
   /// and in use. Keep nothing of it in the effect: an equal one renders with it, too.
   virtual void setUp(const gl::Program& program) = 0;
 
-  /// Called before the draws of a frame: uploads the effect's settings, binds its textures and blocks. May
-  /// throw std::invalid_argument, which MultiResolution::render() passes on with the host's state put back.
+  /// Called before the draws of a frame: uploads the effect's settings, binds its textures and blocks, and
+  /// may draw into targets of its own; the state guard covers that. May throw std::invalid_argument, which
+  /// MultiResolution::render() passes on with the host's state put back.
   virtual void bind(const Frame& frame) = 0;
+
+  /// Of GPU memory that the effect itself holds, such as targets that bind() draws into.
+  [[nodiscard]] virtual std::size_t bytes() const { return 0; }
 };
 
 }  // namespace mres

@@ -2,7 +2,6 @@
 
 #include <map>
 #include <optional>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -10,15 +9,16 @@
 #include <vector>
 
 #include "mres/debug/debug_view_pass.h"
+#include "mres/embedded_shaders.h"
 #include "mres/gl/state_guard.h"
 #include "mres/gl/uniform_buffer.h"
+#include "mres/level/frame_params.h"
+#include "mres/level/frame_textures.h"
 #include "mres/render/draw_levels.h"
 #include "mres/render/draw_masks.h"
 #include "mres/validate.h"
 
 namespace mres {
-
-std::span<const gl::ShaderFile> embeddedShaders();
 
 struct MultiResolution::Implementation {
   explicit Implementation(const Options& options) : measureCoverage(options.measureCoverage) {
@@ -31,8 +31,9 @@ struct MultiResolution::Implementation {
   GLuint render(Effect& effect, const Frame& frame);
   GLuint debugView(DebugView view);
   void reloadShaders();
+  void bindEffect(Effect& effect, const Frame& frame);
   EffectPasses& passesOf(Effect& effect);
-  DepthFormat bindFrame(const Frame& frame, const params::FrameParams& params);
+  void bindFrame(const Frame& frame, params::FrameParams& params);
   void fillReport(EffectPasses& passes);
 
   Settings settings;
@@ -60,20 +61,23 @@ EffectPasses& MultiResolution::Implementation::passesOf(Effect& effect) {
   return found->second;
 }
 
-DepthFormat MultiResolution::Implementation::bindFrame(const Frame& frame,
-                                                       const params::FrameParams& params) {
-  const DepthFormat depth = bindFrameTextures(context, frame);
+void MultiResolution::Implementation::bindFrame(const Frame& frame, params::FrameParams& params) {
+  params.depthRounding = depthRounding(bindFrameTextures(context, frame));
   frameBlock.upload(params);
   frameBlock.bind(kFrameBlock);
-  return depth;
+}
+
+void MultiResolution::Implementation::bindEffect(Effect& effect, const Frame& frame) {
+  const gl::Scope scope(context.profiler, "mres.inputs");
+  effect.bind(frame);
 }
 
 GLuint MultiResolution::Implementation::render(Effect& effect, const Frame& frame) {
-  const params::FrameParams params = frameParams(frame);
+  params::FrameParams params = frameParams(frame);
   validate("MaskSettings", settings.mask);
   validate(effect.levels());
   const gl::StateGuard guard(viewports);
-  const DepthFormat depth = bindFrame(frame, params);
+  bindFrame(frame, params);
   context.profiler.beginFrame();
   EffectPasses& passes = passesOf(effect);
   pictured = nullptr;
@@ -81,11 +85,12 @@ GLuint MultiResolution::Implementation::render(Effect& effect, const Frame& fram
   const PlannedFrame planned{context, settings, plan, *shared, passes, measureCoverage};
   planned.prepareLevels();
   if (effect.description().readsPyramid) shared->pyramid.draw(context, frame.size);
-  effect.bind(frame);
-  edges = planned.hasMasks() ? drawMasks(planned, frame, params, depth) : EdgeImages{};
+  bindEffect(effect, frame);
+  edges = planned.hasMasks() ? drawMasks(planned, frame, params) : EdgeImages{};
   drawLevels(planned);
   context.profiler.endFrame();
   fillReport(passes);
+  report.bytes += effect.bytes();
   pictured = &passes;
   return planned.targets(0).composed().color().id();
 }

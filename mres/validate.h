@@ -18,6 +18,11 @@ void validate(const char* owner, Settings settings) {
   });
 }
 
+/// 1 to 16384 in each direction.
+bool isTextureSize(glm::ivec2 size);
+
+bool isFinite(const glm::mat4& matrix);
+
 inline void validate(const LevelTable& levels) {
   for (const LevelSettings& level : levels) validate("LevelSettings", level);
 }

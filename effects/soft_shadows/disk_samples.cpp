@@ -22,8 +22,8 @@ std::vector<glm::vec2> diskSamples(int count, int seed) {
   return samples;
 }
 
-std::vector<glm::vec2> diskSamplesToTheRim(int count) {
-  std::vector<glm::vec2> samples = diskSamples(count, 0);
+std::vector<glm::vec2> diskSamplesToTheRim(int count, int seed) {
+  std::vector<glm::vec2> samples = diskSamples(count, seed);
   const float outermost = glm::length(samples.back());
   for (glm::vec2& sample : samples) sample /= outermost;
   return samples;

@@ -10,6 +10,6 @@ namespace mres {
 std::vector<glm::vec2> diskSamples(int count, int seed);
 
 /// The same, with the outermost ones on the rim.
-std::vector<glm::vec2> diskSamplesToTheRim(int count);
+std::vector<glm::vec2> diskSamplesToTheRim(int count, int seed);
 
 }  // namespace mres

@@ -1,11 +1,10 @@
 #include "effects/soft_shadows/soft_shadows.h"
 
-#include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_access.hpp>
-#include <span>
 #include <stdexcept>
 
+#include "effects/common/embedded_shaders.h"
 #include "effects/soft_shadows/disk_samples.h"
 #include "mres/gl/bound_texture.h"
 #include "mres/gl/uniform_buffer.h"
@@ -14,23 +13,14 @@
 
 namespace mres {
 
-namespace effects {
-std::span<const gl::ShaderFile> embeddedShaders();
-}
-
 namespace {
 
-constexpr int kMaxMapSize = 16384;
-
-bool isFinite(const glm::mat4& matrix) {
-  const float* values = &matrix[0][0];
-  return std::all_of(values, values + 16, [](float value) { return std::isfinite(value); });
-}
+constexpr GLuint kParamsBinding = kEffectBlockBinding;
+constexpr GLuint kSamplesBinding = kEffectBlockBinding + 1;
 
 void requireUsable(const ShadowInputs& inputs) {
   if (inputs.shadowMap == 0) return;
-  const glm::ivec2 size = inputs.mapSize;
-  if (size.x < 1 || size.y < 1 || size.x > kMaxMapSize || size.y > kMaxMapSize) {
+  if (!isTextureSize(inputs.mapSize)) {
     throw std::invalid_argument("ShadowInputs::mapSize must be 1 to 16384 texels in each direction.");
   }
   if (!isFinite(inputs.shadowFromView)) {
@@ -55,21 +45,24 @@ float penumbraScale(const SoftShadowSettings& settings, bool parallel) {
   return parallel ? std::tan(0.5f * glm::radians(settings.lightAngle)) : settings.lightRadius;
 }
 
-void setSamples(const SoftShadowSettings& settings, params::SoftShadowsParams& params) {
-  const std::vector<glm::vec2> disk = diskSamples(settings.samples, settings.seed);
-  for (std::size_t i = 0; i < disk.size(); ++i) {
-    glm::vec4& pair = params.samples[i / 2];
-    (i % 2 == 0 ? pair.x : pair.z) = disk[i].x;
-    (i % 2 == 0 ? pair.y : pair.w) = disk[i].y;
+void fillSingly(const std::vector<glm::vec2>& points, glm::vec4* slots) {
+  for (const glm::vec2 point : points) *slots++ = glm::vec4(point, 0.0f, 0.0f);
+}
+
+/// Two a slot.
+void fillInPairs(const std::vector<glm::vec2>& points, glm::vec4* slots) {
+  for (std::size_t i = 0; i < points.size(); i += 2) {
+    const glm::vec2 second = i + 1 < points.size() ? points[i + 1] : glm::vec2(0.0f);
+    *slots++ = glm::vec4(points[i], second);
   }
-  int index = 0;
-  for (const glm::vec2 sample : diskSamplesToTheRim(SOFT_SHADOWS_BLOCKER_SAMPLES)) {
-    params.blockerSamples[index++] = glm::vec4(sample, 0.0f, 0.0f);
-  }
-  index = 0;
-  for (const glm::vec2 sample : diskSamplesToTheRim(SOFT_SHADOWS_PREVIEW_SAMPLES)) {
-    params.previewSamples[index++] = glm::vec4(sample, 0.0f, 0.0f);
-  }
+}
+
+params::SoftShadowsSamples makeSamples(const SoftShadowSettings& settings) {
+  params::SoftShadowsSamples samples{};
+  fillInPairs(diskSamples(settings.samples, settings.seed), samples.samples);
+  fillSingly(diskSamplesToTheRim(SOFT_SHADOWS_BLOCKER_SAMPLES, settings.seed), samples.blockerSamples);
+  fillSingly(diskSamplesToTheRim(SOFT_SHADOWS_PREVIEW_SAMPLES, settings.seed), samples.previewSamples);
+  return samples;
 }
 
 params::SoftShadowsParams makeParams(const SoftShadowSettings& settings, const ShadowInputs& inputs) {
@@ -85,7 +78,6 @@ params::SoftShadowsParams makeParams(const SoftShadowSettings& settings, const S
   params.penumbraScale = penumbraScale(settings, isParallel(params.shadowW));
   params.bias = settings.bias;
   params.sampleCount = settings.samples;
-  setSamples(settings, params);
   return params;
 }
 
@@ -95,6 +87,7 @@ static_assert(kMaxSoftShadowSamples == SOFT_SHADOWS_MAX_SAMPLES);
 
 struct SoftShadows::Resources {
   gl::UniformBuffer<params::SoftShadowsParams> params;
+  gl::UniformBuffer<params::SoftShadowsSamples> samples;
   gl::SamplerName sampler = gl::makeSampler(gl::Filter::nearest);
 };
 
@@ -107,14 +100,14 @@ SoftShadows::~SoftShadows() = default;
 void SoftShadows::setSettings(const SoftShadowSettings& settings) {
   validate("SoftShadowSettings", settings);
   validate(settings.levels);
+  samplesUploaded_ =
+      samplesUploaded_ && settings.samples == settings_.samples && settings.seed == settings_.seed;
   settings_ = settings;
-  uploaded_ = false;
 }
 
 void SoftShadows::setInputs(const ShadowInputs& inputs) {
   requireUsable(inputs);
   inputs_ = inputs;
-  uploaded_ = false;
 }
 
 const EffectDescription& SoftShadows::description() const {
@@ -130,14 +123,17 @@ const EffectDescription& SoftShadows::description() const {
 }
 
 void SoftShadows::setUp(const gl::Program& program) {
-  program.setBlockBinding("SoftShadowsParams", kEffectBlockBinding);
+  program.setBlockBinding("SoftShadowsParams", kParamsBinding);
+  program.setBlockBinding("SoftShadowsSamples", kSamplesBinding);
   program.setTextureUnit("shadowMap", kEffectTextureUnit);
 }
 
 void SoftShadows::bind(const Frame& /*frame*/) {
-  if (!uploaded_) resources_->params.upload(makeParams(settings_, inputs_));
-  uploaded_ = true;
-  resources_->params.bind(kEffectBlockBinding);
+  if (!samplesUploaded_) resources_->samples.upload(makeSamples(settings_));
+  samplesUploaded_ = true;
+  resources_->samples.bind(kSamplesBinding);
+  resources_->params.upload(makeParams(settings_, inputs_));
+  resources_->params.bind(kParamsBinding);
   if (inputs_.shadowMap == 0) return gl::bindTexture(kEffectTextureUnit, 0, resources_->sampler);
   const gl::BoundTexture map("ShadowInputs::shadowMap", kEffectTextureUnit, inputs_.shadowMap,
                              resources_->sampler);

@@ -85,7 +85,7 @@ class SoftShadows final : public Effect {
   SoftShadowSettings settings_;
   ShadowInputs inputs_;
   std::unique_ptr<Resources> resources_;  // keeps the header that C++ and GLSL share out of users' files
-  bool uploaded_ = false;
+  bool samplesUploaded_ = false;
 };
 
 }  // namespace mres

@@ -2,19 +2,14 @@
 
 #include <algorithm>
 #include <iterator>
-#include <span>
 
+#include "effects/common/embedded_shaders.h"
 #include "effects/common/sample_points.h"
 #include "mres/gl/uniform_buffer.h"
 #include "mres/validate.h"
 #include "shaders/effects/ssao_params.h"
 
 namespace mres {
-
-namespace effects {
-std::span<const gl::ShaderFile> embeddedShaders();
-}
-
 namespace {
 
 params::SsaoParams makeParams(const SsaoSettings& settings) {

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "effects/common/embedded_shaders.h"
 #include "effects/common/sample_points.h"
+#include "effects/ssgi/sender_pyramid.h"
 #include "mres/gl/bound_texture.h"
 #include "mres/gl/texture.h"
 #include "mres/gl/uniform_buffer.h"
@@ -16,17 +19,12 @@
 #include "shaders/effects/ssgi_params.h"
 
 namespace mres {
-
-namespace effects {
-std::span<const gl::ShaderFile> embeddedShaders();
-}
-
 namespace {
 
 constexpr GLuint kParamsBinding = kEffectBlockBinding;
 constexpr GLuint kPointsBinding = kEffectBlockBinding + 1;
 constexpr GLuint kPointsUnit = kEffectTextureUnit;
-constexpr GLuint kRadianceUnit = kEffectTextureUnit + 1;
+constexpr GLuint kSendersUnit = kEffectTextureUnit + 1;
 
 /// The largest half float: results are stored as such.
 constexpr float kLargestRadiance = 65504.0f;
@@ -76,10 +74,12 @@ void validate(const SsgiInputs& inputs) {
 
 struct Ssgi::Resources {
   void setPoints(int count, int seed);
+  void bindSenders(GLuint radiance, glm::ivec2 size);
 
   gl::UniformBuffer<params::SsgiParams> params;
   gl::UniformBuffer<params::SsgiPoints> points;  // all of them in a texture take a tenth more time
   gl::Texture2D morePoints;
+  std::optional<SenderPyramid> senders;  // made for the first lit picture
   gl::SamplerName nearest = gl::makeSampler(gl::Filter::nearest);
 };
 
@@ -90,6 +90,17 @@ void Ssgi::Resources::setPoints(int count, int seed) {
   std::copy_n(all.begin(), inBlock, std::begin(block.points));
   points.upload(block);
   morePoints = makePointTexture(std::span(all).subspan(inBlock));
+}
+
+void Ssgi::Resources::bindSenders(GLuint radiance, glm::ivec2 size) {
+  // Without a lit picture the shader still reads senders, and drivers warn of none: any complete texture will
+  // do.
+  if (radiance == 0) return gl::bindTexture(kSendersUnit, morePoints.id(), nearest);
+  const gl::BoundTexture picture("SsgiInputs::radiance", kSendersUnit, radiance, nearest);
+  picture.requireSize(size, "Frame::size is");
+  picture.requireChannels(3);
+  if (!senders) senders.emplace(kSendersUnit, kParamsBinding);
+  senders->draw(size);
 }
 
 Ssgi::Ssgi(const SsgiSettings& settings) : resources_(std::make_unique<Resources>()) {
@@ -126,7 +137,11 @@ void Ssgi::setUp(const gl::Program& program) {
   program.setBlockBinding("SsgiParams", kParamsBinding);
   program.setBlockBinding("SsgiPoints", kPointsBinding);
   program.setTextureUnit("morePoints", kPointsUnit);
-  program.setTextureUnit("litPicture", kRadianceUnit);
+  program.setTextureUnit("senders", kSendersUnit);
+}
+
+std::size_t Ssgi::bytes() const {
+  return resources_->morePoints.bytes() + (resources_->senders ? resources_->senders->bytes() : 0);
 }
 
 void Ssgi::bind(const Frame& frame) {
@@ -135,14 +150,8 @@ void Ssgi::bind(const Frame& frame) {
   resources_->points.bind(kPointsBinding);
   resources_->params.upload(makeParams(settings_, inputs_));
   resources_->params.bind(kParamsBinding);
-  const GLuint points = resources_->morePoints.id();
-  gl::bindTexture(kPointsUnit, points, resources_->nearest);
-  // Without a lit picture the shader still reads one, and drivers warn of none: any complete texture will do.
-  if (inputs_.radiance == 0) return gl::bindTexture(kRadianceUnit, points, resources_->nearest);
-  const gl::BoundTexture radiance("SsgiInputs::radiance", kRadianceUnit, inputs_.radiance,
-                                  resources_->nearest);
-  radiance.requireSize(frame.size, "Frame::size is");
-  radiance.requireChannels(3);
+  gl::bindTexture(kPointsUnit, resources_->morePoints.id(), resources_->nearest);
+  resources_->bindSenders(inputs_.radiance, frame.size);
 }
 
 }  // namespace mres

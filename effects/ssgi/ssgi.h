@@ -16,7 +16,7 @@ struct SsgiSettings {
   int samples = 228;    ///< 8..8192. Points per pixel; a 4x4 pattern of rotations multiplies them by sixteen.
   float intensity = 1.0f;  ///< [0, 4]. Multiplies the bounce.
   float bias = 0.02f;      ///< share of the radius, [0, 1]. Lower rises over the tangent plane do not block.
-  float maxRadiance = 8.0f;  ///< [0, 1000]. Of a sender. A pixel much brighter than the rest, seen by few
+  float maxRadiance = 8.0f;  ///< [0, 1000]. Of a lit pixel. One much brighter than the rest, met by few
                              ///< points, would show as noise; highlights are no diffuse light anyway.
   int seed = 0;              ///< [0, 65535]. Chooses the point set.
   LevelTable levels = kSsgiLevels;
@@ -30,19 +30,19 @@ void visit(SsgiSettings& settings, Visitor&& visitor) {
   visitor("intensity", settings.intensity, SettingInfo{"", 0.0, 4.0, "Multiplies the bounce."});
   visitor("bias", settings.bias,
           SettingInfo{"radii", 0.0, 1.0, "Lower rises over the tangent plane do not block."});
-  visitor(
-      "maxRadiance", settings.maxRadiance,
-      SettingInfo{"", 0.0, 1000.0, "Brighter senders count as this bright, so that none shows as noise."});
+  visitor("maxRadiance", settings.maxRadiance,
+          SettingInfo{"", 0.0, 1000.0, "Brighter pixels count as this bright, so that none shows as noise."});
   visitor("seed", settings.seed, SettingInfo{"", 0.0, 65535.0, "Chooses the point set."});
 }
 
 /// What the host hands over each frame. render() throws std::invalid_argument for a texture that is not as
-/// told here. Radiances are in one unit of the host's choice.
+/// told here. Radiances are in one unit of the host's choice. The effect keeps what it needs of the lit
+/// picture at half the resolution and below, 2.7 bytes for each pixel of the frame.
 struct SsgiInputs {
   GLuint radiance = 0;  ///< lit picture: GL_TEXTURE_2D, float, linear, frame.size texels. 0: no bounce.
   float radianceScale = 1.0f;        ///< [0, 65504]. Multiplies the picture, e.g. exposure.
-  glm::vec3 environmentAbove{0.0f};  ///< [0, 65504]. Radiance from straight above; in between, it is
-  glm::vec3 environmentBelow{0.0f};  ///< interpolated by the vertical component of the direction.
+  glm::vec3 environmentAbove{0.0f};  ///< [0, 65504]. Radiance that comes from straight above; from below and
+  glm::vec3 environmentBelow{0.0f};  ///< in between it is linear in the vertical component of the direction.
   glm::vec3 up{0.0f, 1.0f, 0.0f};    ///< the world's up, in view space; unit length
 };
 
@@ -69,6 +69,7 @@ class Ssgi final : public Effect {
   [[nodiscard]] const LevelTable& levels() const override { return settings_.levels; }
   void setUp(const gl::Program& program) override;
   void bind(const Frame& frame) override;
+  [[nodiscard]] std::size_t bytes() const override;
 
  private:
   struct Resources;

@@ -4,20 +4,25 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "host/commands/bench_campaign.h"
 #include "host/commands/bench_cost.h"
 #include "host/commands/bench_page.h"
 #include "host/commands/bench_plots.h"
+#include "host/commands/bench_results.h"
 #include "host/commands/bench_scenes.h"
 #include "host/commands/bench_suite.h"
 #include "host/commands/bench_summary.h"
 #include "host/commands/bench_truth_summary.h"
 #include "host/commands/commands.h"
+#include "host/commands/interruption.h"
 #include "host/commands/options.h"
 #include "host/commands/output.h"
 #include "host/commands/usage_error.h"
+#include "host/measure/report_table.h"
+#include "host/measure/result_names.h"
 #include "host/measure/text_table.h"
 
 namespace host {
@@ -30,9 +35,8 @@ struct BenchOptions {
   TimingOptions timing;
   std::optional<fs::path> output;
   bool resume = false;
+  bool reportOnly = false;
   bool json = false;
-
-  [[nodiscard]] CampaignTiming campaignTiming() const { return {timing.timing, timing.repeat.pairs}; }
 };
 
 constexpr const char* kExamples = R"(
@@ -41,14 +45,20 @@ Examples:
   mres bench --suite paper -o out            the evaluation of the paper, at most 100 minutes on two cores, and at 1920x1080
                                              the errors against thousands of samples and ray tracing
   mres bench --suite paper -o out --resume   goes on after an interruption
+  mres bench -o out --report                 measures nothing, draws what there is
   mres bench --scenes models -o out          the same of your own scenes, up to eight cameras of each
 
 The folder gets results.json (after every measurement), plots/ as SVG where gnuplot is installed, pictures/, and
-report.html, which shows them all.)";
+report.html, which shows them all. An interruption leaves results.json and pictures/ of what was measured: --resume goes
+on, --report makes plots and page of it. Results that are there already are kept as results.previous.json.)";
 
 /// A folder name for every suite.
 fs::path outputOf(const BenchOptions& options) {
   return options.output.value_or("bench-" + options.suite.suite);
+}
+
+fs::path resultsOf(const BenchOptions& options) {
+  return outputOf(options) / "results.json";
 }
 
 std::vector<BenchCase> casesOf(const BenchOptions& options) {
@@ -65,7 +75,7 @@ void writeReport(const Json& report, const fs::path& folder) {
   const auto plots = drawPlots(report, folder);
   if (!plots)
     fmt::print(stderr, "mres: No plots were drawn; install gnuplot (apt-get install gnuplot-nox).\n");
-  writeTextFile(folder / "report.html", makePage(report, plots.value_or(std::vector<fs::path>()), folder));
+  writeTextFile(folder / "report.html", makePage(report, plots.value_or(std::vector<Plot>()), folder));
 }
 
 /// With a sentence of what it tells; nothing without truths.
@@ -74,22 +84,49 @@ std::string truthSummary(const Json& report) {
   return rows.empty() ? "" : fmt::format("\n{}\n\n{}", kTruthSummaryMeaning, formatTable(rows));
 }
 
-void runBench(const BenchOptions& options) {
+void showReport(const Json& report, const BenchOptions& options) {
+  const fs::path folder = outputOf(options);
+  writeReport(report, folder);
+  if (options.json) {
+    fmt::print("{}", toText(report));
+    return;
+  }
+  const std::string duration = durationOf(report);
+  fmt::print("{}\n{}{}\n{}results.json and report.html are in {}\n", toTable(report),
+             formatTable(summaryRows(report)), truthSummary(report),
+             duration.empty() ? "" : fmt::format("Measured in {}.\n", duration),
+             fs::weakly_canonical(folder).string());
+}
+
+void measureAndShow(const BenchOptions& options) {
   std::vector<BenchCase> cases = casesOf(options);
   const OutputDirectory output(outputOf(options));
   const GlContext context;
-  Campaign campaign({std::move(cases), options.campaignTiming(), output.path(), options.resume},
-                    context.info());
+  Campaign campaign({std::move(cases), options.timing.plan(), output.path(), options.resume}, context.info());
   const Json& report = campaign.run();
-  writeReport(report, output.path());
-  if (options.json)
-    fmt::print("{}", toText(report));
+  if (report["results"].empty()) throw std::runtime_error("Nothing could be measured.");
+  showReport(report, options);
+  if (const std::vector<std::string> scenes = campaign.incompleteScenes(); !scenes.empty())
+    throw std::runtime_error(fmt::format("Not everything could be measured, for the reasons above, of: {}.",
+                                         fmt::join(scenes, ", ")));
+}
+
+void runCampaign(const BenchOptions& options) {
+  try {
+    measureAndShow(options);
+  } catch (const Interrupted&) {
+    std::error_code ignored;  // results that cannot be looked at are none
+    if (fs::exists(resultsOf(options), ignored))
+      fmt::print(stderr, "mres: Stopped; --resume goes on, and --report draws what is there.\n");
+    throw;
+  }
+}
+
+void runBench(const BenchOptions& options) {
+  if (options.reportOnly)
+    showReport(readResults(resultsOf(options)), options);
   else
-    fmt::print("{}\n{}{}\nresults.json and report.html are in {}\n", toTable(report),
-               formatTable(summaryRows(report)), truthSummary(report),
-               fs::weakly_canonical(output.path()).string());
-  if (const std::size_t count = campaign.scenesLeftOut(); count > 0)
-    throw std::runtime_error(fmt::format("{} of the scenes could not be loaded.", count));
+    runCampaign(options);
 }
 
 }  // namespace
@@ -98,7 +135,7 @@ void addBenchCommand(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("bench", "Measure a whole suite of pictures, with plots and a report");
   const auto options = std::make_shared<BenchOptions>();
-  options->timing.repeat = planOf({});  // of the fastest pictures
+  options->timing.repeat = campaignPlan();
   command
       ->add_option("--suite", options->suite.suite,
                    fmt::format("{} (default {})", fmt::join(suiteNames(), " or "), suiteNames().front()))
@@ -116,8 +153,13 @@ void addBenchCommand(CLI::App& app, Action& action) {
           "where everything goes (default bench-NAME)")
       ->type_name("DIR");
   command->add_flag("--resume", options->resume, "keep what results.json in that folder already holds");
+  CLI::Option* reportOnly =
+      command->add_flag("--report", options->reportOnly,
+                        "measure nothing: show what results.json in that folder already holds");
   command->add_flag("--json", options->json, "print the report as JSON on the standard output");
   addTimingOptions(*command, options->timing, "the speedup");
+  for (const char* measuring : {"--scenes", "--thorough", "--resume", "--repeat", "--no-timing"})
+    reportOnly->excludes(command->get_option(measuring));
   command->footer(kExamples);
   command->callback([&action, options] { action = [options] { runBench(*options); }; });
 }

@@ -1,12 +1,17 @@
 #include "host/commands/bench_campaign.h"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <iostream>
+#include <iterator>
+#include <ranges>
 #include <stdexcept>
 #include <utility>
 
 #include "host/commands/bench_cost.h"
 #include "host/commands/interruption.h"
 #include "host/commands/memory_need.h"
+#include "host/commands/notes.h"
 #include "host/commands/options.h"
 #include "host/commands/output.h"
 #include "host/measure/picture_files.h"
@@ -18,7 +23,7 @@ namespace {
 // Of the time of a case, about.
 constexpr double kShareOfMeasuring = 0.95;
 
-const RepeatPlan kUntimed{.pairs = 1};  // each technique draws once
+const RepeatPlan kUntimed{.pairs = 1, .warmUpSeconds = 0.0};  // each technique draws once
 
 PictureSettings settingsOf(const BenchCase& benchCase) {
   PictureSettings settings;
@@ -27,8 +32,10 @@ PictureSettings settingsOf(const BenchCase& benchCase) {
   return settings;
 }
 
-std::uint64_t bytesNeededBy(const BenchCase& benchCase) {
-  return benchCase.truth ? bytesOfComparisonWithTruth(benchCase.size) : bytesOfComparison(benchCase.size);
+void requireMemoryFor(const BenchCase& benchCase, const PictureSettings& settings) {
+  const PictureNeed need = needOf(settings, benchCase.size);
+  requireMemory(benchCase.truth ? bytesOfComparisonWithTruth(need) : bytesOfComparison(need),
+                availableMemory(), "they are left out");
 }
 
 fs::path pictureFolderOf(const BenchCase& benchCase) {
@@ -38,13 +45,6 @@ fs::path pictureFolderOf(const BenchCase& benchCase) {
 
 }  // namespace
 
-std::optional<RepeatPlan> CampaignTiming::planOf(const BenchCase& benchCase) const {
-  if (!timing) return std::nullopt;
-  RepeatPlan plan = host::planOf(benchCase);
-  plan.pairs = pairs;
-  return plan;
-}
-
 Campaign::Campaign(CampaignRequest request, const GlContext::Info& gl)
     : request_(std::move(request)),
       results_(request_.output / "results.json", machineOf(gl.renderer, gl.version), request_.resume),
@@ -53,48 +53,70 @@ Campaign::Campaign(CampaignRequest request, const GlContext::Info& gl)
 }
 
 double Campaign::expectedSeconds(const BenchCase& benchCase) const {
-  return secondsOf(benchCase, request_.timing.planOf(benchCase).value_or(kUntimed));
+  return secondsOf(benchCase, request_.timing.value_or(kUntimed));
 }
 
 const Json& Campaign::run() {
-  for (const BenchCase& benchCase : request_.cases) {
-    if (!measure(benchCase)) timeLeft_.skip(expectedSeconds(benchCase) / totalSeconds_);
-    doneSeconds_ += expectedSeconds(benchCase);
-  }
+  for (const BenchCase& benchCase : request_.cases) runCase(benchCase);
   progress_.clear();
   return results_.report();
 }
 
+std::vector<std::string> Campaign::incompleteScenes() const {
+  std::vector<std::string> names;
+  std::ranges::copy(std::views::keys(leftOut_), std::back_inserter(names));
+  return names;
+}
+
+void Campaign::runCase(const BenchCase& benchCase) {
+  const Stopwatch stopwatch;
+  if (std::optional<Measurement> measurement = measure(benchCase)) {
+    measurement->seconds = stopwatch.elapsed().count();
+    results_.add(*measurement);
+  } else {
+    timeLeft_.skip(expectedSeconds(benchCase) / totalSeconds_);
+  }
+  doneSeconds_ += expectedSeconds(benchCase);
+}
+
 const Scene* Campaign::load(const BenchCase& benchCase) {
   if (brokenScenes_.contains(benchCase.scene.source)) return nullptr;
+  show(0.0, benchCase, "loading");
   try {
-    show(0.0, benchCase, "loading");
     return &workbench_.scene(benchCase.scene);
   } catch (const std::runtime_error& error) {
-    progress_.clear();
-    fmt::print(stderr, "mres: {}\n", error.what());
+    leaveOut(benchCase, error.what());
     brokenScenes_.insert(benchCase.scene.source);
     return nullptr;
   }
 }
 
-bool Campaign::measure(const BenchCase& benchCase) {
+std::optional<Measurement> Campaign::measure(const BenchCase& benchCase) {
   const Scene* scene = load(benchCase);
-  if (!scene || benchCase.camera >= static_cast<int>(scene->cameras.size())) return false;
+  if (!scene || benchCase.camera >= static_cast<int>(scene->cameras.size())) return std::nullopt;
   PictureSettings settings = settingsOf(benchCase);
   Measurement wanted = describePicture(*scene, settings, benchCase.camera, benchCase.size);
   wanted.settings = settingsTable(settings).values();
-  if (results_.contains(wanted, {request_.timing.timing, benchCase.truth})) return false;
+  if (results_.contains(wanted, {request_.timing.has_value(), benchCase.truth})) return std::nullopt;
+  try {
+    return measure(benchCase, settings, wanted.settings);
+  } catch (const std::runtime_error& error) {
+    leaveOut(benchCase, error.what());
+    return std::nullopt;
+  }
+}
 
-  requireMemory(bytesNeededBy(benchCase), availableMemory());
-  Comparison& comparison = workbench_.comparison(settings, wanted.settings);
+Measurement Campaign::measure(const BenchCase& benchCase, const PictureSettings& settings,
+                              const Json& values) {
+  requireMemoryFor(benchCase, settings);
+  Comparison& comparison = workbench_.comparison(settings, values);
+  noteOnce(benchCase, comparison);
   Measurement measurement = comparison.measure(
-      {benchCase.camera, benchCase.size, request_.timing.planOf(benchCase), benchCase.truth},
+      {benchCase.camera, benchCase.size, request_.timing, benchCase.truth},
       [&](double share, const std::string& what) { show(kShareOfMeasuring * share, benchCase, what); });
-  measurement.settings = wanted.settings;
+  measurement.settings = values;
   if (benchCase.pictures) measurement.pictures = writeCasePictures(benchCase, comparison);
-  results_.add(measurement);
-  return true;
+  return measurement;
 }
 
 Json Campaign::writeCasePictures(const BenchCase& benchCase, Comparison& comparison) {
@@ -104,10 +126,25 @@ Json Campaign::writeCasePictures(const BenchCase& benchCase, Comparison& compari
   return picturesBelow(folder, writePictures(comparison.pictures(), directory.path()));
 }
 
+/// Of a scene, whose cases come one after the other.
+void Campaign::noteOnce(const BenchCase& benchCase, const Comparison& comparison) {
+  if (std::exchange(notedScene_, benchCase.scene.name) == benchCase.scene.name) return;
+  std::vector<std::string> notes = comparison.warnings();
+  for (std::string& note : notes) note.insert(0, benchCase.scene.name + ": ");
+  progress_.clear();
+  writeNotes(std::cerr, notes);
+}
+
+void Campaign::leaveOut(const BenchCase& benchCase, const std::string& reason) {
+  if (!leftOut_[benchCase.scene.name].insert(reason).second) return;
+  progress_.clear();
+  fmt::print(stderr, "mres: {}: {}\n", nameOf(benchCase), asSentence(reason));
+}
+
 void Campaign::show(double shareOfCase, const BenchCase& benchCase, const std::string& what) {
   throwIfInterrupted();
   const double share = (doneSeconds_ + shareOfCase * expectedSeconds(benchCase)) / totalSeconds_;
-  const auto left = timeLeft_.at(share, std::chrono::steady_clock::now() - start_);
+  const auto left = timeLeft_.at(share, stopwatch_.elapsed());
   progress_.update(share,
                    fmt::format("{}{}: {}", left ? describe(*left) + ", " : "", nameOf(benchCase), what));
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <chrono>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -11,53 +11,52 @@
 #include "host/commands/bench_suite.h"
 #include "host/commands/bench_workbench.h"
 #include "host/commands/progress.h"
+#include "host/commands/stopwatch.h"
 #include "host/commands/time_left.h"
 #include "host/platform/gl_context.h"
 
 namespace host {
 
-/// How the cases of a campaign are timed.
-struct CampaignTiming {
-  bool timing = true;
-  std::optional<int> pairs;  ///< none: as planOf() each case
-
-  /// Nothing where no timing is wanted.
-  [[nodiscard]] std::optional<RepeatPlan> planOf(const BenchCase& benchCase) const;
-};
-
 struct CampaignRequest {
   std::vector<BenchCase> cases;
-  CampaignTiming timing;
+  std::optional<RepeatPlan> timing;  ///< none: pictures and errors alone
   std::filesystem::path output;
   bool resume = false;
 };
 
-/// Measures case after case; after each, results.json holds it. Scenes that cannot be loaded are told on
-/// stderr and left out.
+/// Measures case after case; after each, results.json holds it. What cannot be measured is told on stderr,
+/// once for each scene and reason, and left out.
 class Campaign {
  public:
   Campaign(CampaignRequest request, const GlContext::Info& gl);
 
   const Json& run();
 
-  [[nodiscard]] std::size_t scenesLeftOut() const { return brokenScenes_.size(); }
+  /// The scenes of which not everything could be measured.
+  [[nodiscard]] std::vector<std::string> incompleteScenes() const;
 
  private:
   [[nodiscard]] double expectedSeconds(const BenchCase& benchCase) const;
   const Scene* load(const BenchCase& benchCase);
-  /// Whether there was something to measure.
-  bool measure(const BenchCase& benchCase);
+  void runCase(const BenchCase& benchCase);
+  /// Nothing where there is nothing to measure, or it fails.
+  std::optional<Measurement> measure(const BenchCase& benchCase);
+  Measurement measure(const BenchCase& benchCase, const PictureSettings& settings, const Json& values);
   Json writeCasePictures(const BenchCase& benchCase, Comparison& comparison);
+  void noteOnce(const BenchCase& benchCase, const Comparison& comparison);
+  void leaveOut(const BenchCase& benchCase, const std::string& reason);
   void show(double shareOfCase, const BenchCase& benchCase, const std::string& what);
 
   CampaignRequest request_;
   double totalSeconds_ = 0.0;  ///< expected of all cases
   BenchResults results_;
   Workbench workbench_;
-  std::set<std::string> brokenScenes_;
+  std::set<std::string> brokenScenes_;                    ///< by source
+  std::map<std::string, std::set<std::string>> leftOut_;  ///< why, by the scene's name
+  std::string notedScene_;
   StderrProgressBar progress_;
   TimeLeft timeLeft_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  Stopwatch stopwatch_;
   double doneSeconds_ = 0.0;
 };
 

@@ -1,4 +1,4 @@
-// How long measurements take. Only the plan depends on it, never a result.
+// How long campaigns take: what they may, and what is expected of each case for the progress bar.
 #pragma once
 
 #include "host/commands/bench_suite.h"
@@ -6,9 +6,8 @@
 
 namespace host {
 
-/// How often to time a case: three pairs or more, fewer where they would take longer than a campaign can
-/// give.
-RepeatPlan planOf(const BenchCase& benchCase);
+/// How often campaigns time each picture: briefly, since they have hundreds.
+RepeatPlan campaignPlan();
 
 /// What a case takes at most by `plan` on the two cores of docs/results.md: with times that scatter so much
 /// that the plan's seconds are used up.

@@ -11,8 +11,9 @@
 
 #include "host/commands/bench_summary.h"
 #include "host/commands/bench_truth_summary.h"
-#include "host/commands/plot_script.h"
 #include "host/image/data_uri.h"
+#include "host/measure/report_table.h"
+#include "host/measure/result_names.h"
 
 namespace host {
 std::span<const PageFile> pageFiles();  // generated
@@ -40,15 +41,44 @@ data tableOf(const std::vector<std::vector<std::string>>& rows) {
   return Object{{"titles", cellsOf(rows.front())}, {"rows", body}};
 }
 
-data plotsOf(const std::vector<fs::path>& plots, const fs::path& folder) {
+data plotsOf(const std::vector<Plot>& plots, const fs::path& folder) {
   List list;
-  for (const fs::path& plot : plots)
-    list.push_back(Object{{"name", plot.stem().string()}, {"uri", dataUri(folder / plot, "image/svg+xml")}});
+  for (const Plot& plot : plots)
+    list.push_back(Object{{"title", plot.title}, {"uri", dataUri(folder / plot.file, "image/svg+xml")}});
   return list;
 }
 
+std::string titleOf(const Json& result) {
+  return fmt::format("{}, {}, {}", host::viewOf(result), workOf(result), sizeOf(result));
+}
+
+/// What the evaluation sets out to stay below.
+constexpr double kMostRms = 0.03;
+
+double rmsOf(const Json& result) {
+  return result["error"].is_null() ? 0.0 : result["error"]["rms"].get<double>();
+}
+
+Object errorOf(const Json& result) {
+  return Object{{"title", titleOf(result)}, {"rms", fmt::format("{:.4f}", rmsOf(result))}};
+}
+
+/// The results over kMostRms or, where none is, the one that comes nearest.
+void addErrors(Object& page, const Json& report) {
+  List great;
+  const Json* greatest = nullptr;
+  for (const Json& result : report["results"]) {
+    if (rmsOf(result) > kMostRms) great.push_back(errorOf(result));
+    if (!greatest || rmsOf(result) > rmsOf(*greatest)) greatest = &result;
+  }
+  page["limit"] = fmt::format("{}", kMostRms);
+  page["has_great_errors"] = !great.empty();
+  page["great_errors"] = great;
+  if (great.empty() && greatest) page["greatest_error"] = errorOf(*greatest);
+}
+
 /// What a view shows, by the report's names. The level map has few colours and sharp borders: no JPEG.
-constexpr std::array kPhotographs{"full", "mres", "difference"};
+constexpr std::array kPhotographs{"full", "mres", "effect_full", "effect_mres", "difference"};
 constexpr const char* kLevelMap = "levels";
 
 bool hasPictures(const Json& result, const fs::path& folder) {
@@ -71,7 +101,7 @@ std::string figuresOf(const Json& result) {
 
 data viewOf(const Json& result, const fs::path& folder) {
   const Json& pictures = result["pictures"];
-  Object view{{"title", fmt::format("{}, {}, {}", host::viewOf(result), workOf(result), sizeOf(result))},
+  Object view{{"title", titleOf(result)},
               {"figures", figuresOf(result)},
               {"enhancement", fmt::format("{}", pictures.value("difference_enhancement", 1.0))}};
   for (const char* subject : kPhotographs)
@@ -85,6 +115,21 @@ List viewsOf(const Json& report, const fs::path& folder) {
   for (const Json& result : report["results"])
     if (hasPictures(result, folder)) views.push_back(viewOf(result, folder));
   return views;
+}
+
+/// Of each scene that has some, in sentences.
+List warningsOf(const Json& report) {
+  std::map<std::string, List> scenes;
+  for (const Json& result : report["results"]) {
+    List& sentences = scenes[result["scene"]];
+    if (!sentences.empty()) continue;
+    for (const Json& sentence : result.value("warnings", Json::array()))
+      sentences.push_back(sentence.get<std::string>());
+  }
+  List list;
+  for (const auto& [scene, sentences] : scenes)
+    if (!sentences.empty()) list.push_back(Object{{"scene", scene}, {"sentences", sentences}});
+  return list;
 }
 
 /// Of each effect, with the samples that the tables tell left out.
@@ -104,9 +149,10 @@ data settingsOf(const Json& report) {
 
 }  // namespace
 
-std::string makePage(const Json& report, const std::vector<fs::path>& plots, const fs::path& folder) {
+std::string makePage(const Json& report, const std::vector<Plot>& plots, const fs::path& folder) {
   const Json& machine = report["machine"];
   const List views = viewsOf(report, folder);
+  const List warnings = warningsOf(report);
   Object page{{"style", pageFile("style.css")},
               {"script", pageFile("script.js")},
               {"renderer", machine.value("renderer", "")},
@@ -119,11 +165,15 @@ std::string makePage(const Json& report, const std::vector<fs::path>& plots, con
               {"has_views", !views.empty()},
               {"views", views},
               {"table", tableOf(tableRows(report))},
+              {"has_warnings", !warnings.empty()},
+              {"warnings", warnings},
               {"settings", settingsOf(report)}};
+  addErrors(page, report);
   if (const auto truths = truthSummaryRows(report); !truths.empty())
     page["truth"] = Object{{"meaning", kTruthSummaryMeaning}, {"table", tableOf(truths)}};
   if (const std::string commit = report.value("commit", ""); !commit.empty()) page["commit"] = commit;
   if (report.contains("date")) page["date"] = report["date"].get<std::string>();
+  if (const std::string duration = durationOf(report); !duration.empty()) page["duration"] = duration;
   kainjow::mustache::mustache pageTemplate(pageFile("page.html"));
   return pageTemplate.render(page);
 }

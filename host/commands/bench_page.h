@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "host/commands/bench_plots.h"
 #include "host/measure/report.h"
 
 namespace host {
@@ -16,9 +17,8 @@ struct PageFile {
 };
 
 /// The report as a web page that needs no other file: summary, plots, pictures, table and settings. `plots`,
-/// and the pictures that the report names, are files relative to `folder`; of pictures that are gone, nothing
-/// is shown.
-std::string makePage(const Json& report, const std::vector<std::filesystem::path>& plots,
-                     const std::filesystem::path& folder);
+/// and the pictures that the report names, are relative to `folder`; of pictures that are gone, nothing is
+/// shown.
+std::string makePage(const Json& report, const std::vector<Plot>& plots, const std::filesystem::path& folder);
 
 }  // namespace host

@@ -5,12 +5,14 @@
 #include <functional>
 #include <map>
 #include <string>
-#include <utility>
+#include <system_error>
+#include <tuple>
 
 #include "host/commands/gnuplot.h"
 #include "host/commands/mean_plots.h"
 #include "host/commands/output.h"
 #include "host/commands/plot_script.h"
+#include "host/measure/result_names.h"
 
 namespace host {
 namespace fs = std::filesystem;
@@ -42,7 +44,7 @@ std::string linesOf(const Series& series) {
 std::string speedupBySize(const std::vector<Json>& results) {
   const auto rest = [](const Json& result) { return fmt::format("{}, {}", viewOf(result), workOf(result)); };
   const std::string plot = linesOf(speedupOver(results, megapixels, rest));
-  return plot.empty() ? "" : axes("Speedup by picture size", "megapixels", "speedup") + speedupScale() + plot;
+  return plot.empty() ? "" : axes("megapixels", "speedup") + speedupScale() + plot;
 }
 
 std::string speedupBySamples(const std::vector<Json>& results) {
@@ -51,8 +53,7 @@ std::string speedupBySamples(const std::vector<Json>& results) {
     return fmt::format("{}, {}, {}", viewOf(result), result["effect"].get<std::string>(), sizeOf(result));
   };
   const std::string plot = linesOf(speedupOver(results, samples, rest));
-  return plot.empty() ? ""
-                      : axes("Speedup by samples per pixel", "samples", "speedup") + speedupScale() + plot;
+  return plot.empty() ? "" : axes("samples", "speedup") + speedupScale() + plot;
 }
 
 /// The plane on which techniques compete: further down and to the left is better.
@@ -67,7 +68,7 @@ std::string errorAgainstTime(const std::vector<Json>& results) {
   }
   const std::string plot = plotOf(byScene.size() <= kMostSeries ? byScene : byEffect, "points pointsize 1.2");
   if (plot.empty()) return "";
-  return axes("Error against time", "time, as a share of the full resolution's", "RMS error") +
+  return axes("time, as a share of the full resolution's", "RMS error") +
          "set xrange [0:*]\nset yrange [0:*]\n" + plot;
 }
 
@@ -80,16 +81,37 @@ std::vector<std::string> stageNames(const std::vector<Json>& results) {
   return names;
 }
 
-using Bars = std::map<std::string, std::vector<const Json*>>;
+struct Bar {
+  std::string label;
+  std::vector<const Json*> results;
+};
+
+/// What bars are ordered by: scene, camera, effect, samples, megapixels.
+using BarKey = std::tuple<std::string, int, std::string, int, double>;
+
+BarKey keyOf(const Json& result, bool byView) {
+  return {byView ? result["scene"].get<std::string>() : "", byView ? result["camera"].get<int>() : 0,
+          result["effect"].get<std::string>(), result["samples"].get<int>(), megapixels(result)};
+}
+
+/// Without quotation marks, which would end it.
+std::string labelOf(const Json& result, bool byView) {
+  std::string label =
+      fmt::format("{}{}, {}", byView ? viewOf(result) + ", " : "", workOf(result), sizeOf(result));
+  std::erase(label, '"');
+  return label;
+}
 
 /// A bar for each result or, where those are too many, for the results of all views together.
-Bars barsOf(const std::vector<Json>& results) {
+std::map<BarKey, Bar> barsOf(const std::vector<Json>& results) {
   constexpr std::size_t kMostBars = 24;
   const bool byView = results.size() <= kMostBars;
-  Bars bars;
-  for (const Json& result : results)
-    bars[fmt::format("{}{}, {}", byView ? viewOf(result) + ", " : "", workOf(result), sizeOf(result))]
-        .push_back(&result);
+  std::map<BarKey, Bar> bars;
+  for (const Json& result : results) {
+    Bar& bar = bars[keyOf(result, byView)];
+    bar.label = labelOf(result, byView);
+    bar.results.push_back(&result);
+  }
   return bars;
 }
 
@@ -105,13 +127,14 @@ std::string stageShares(const std::vector<Json>& results) {
   if (names.empty()) return "";
   std::string block = "$stages << EOD\nresult";
   for (const std::string& name : names) block += " " + name;
-  for (const auto& [bar, members] : barsOf(results)) {
+  for (const auto& [key, bar] : barsOf(results)) {
     double total = 0.0;
-    for (const std::string& name : names) total += totalOf(members, name);
-    block += fmt::format("\n\"{}\"", bar);
-    for (const std::string& name : names) block += fmt::format(" {}", totalOf(members, name) / total * 100.0);
+    for (const std::string& name : names) total += totalOf(bar.results, name);
+    block += fmt::format("\n\"{}\"", bar.label);
+    for (const std::string& name : names)
+      block += fmt::format(" {}", totalOf(bar.results, name) / total * 100.0);
   }
-  return block + "\nEOD\n" + axes("Where the technique's time goes", "", "share of the time, %") +
+  return block + "\nEOD\n" + axes("", "share of the time, %") +
          fmt::format(
              "set style data histograms\nset style histogram rowstacked\nset style fill solid 0.9\n"
              "set boxwidth 0.8\nset yrange [0:100]\nset xtics rotate by 90 right\nset bmargin 15\nset key "
@@ -120,25 +143,42 @@ std::string stageShares(const std::vector<Json>& results) {
              names.size() + 1);
 }
 
+/// Nothing but what drawSvg() leaves.
+void removePlots(const fs::path& folder) {
+  std::error_code ignored;  // what cannot be removed will not be written either, which is told then
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
+    if (const fs::path type = entry.path().extension(); type == ".svg" || type == ".gp")
+      fs::remove(entry.path(), ignored);
+}
+
+struct PlotScript {
+  const char* name;  ///< of the file, without extension
+  const char* title;
+  std::string commands;  ///< none: there is nothing to plot
+};
+
 }  // namespace
 
-std::optional<std::vector<fs::path>> drawPlots(const Json& report, const fs::path& directory) {
+std::optional<std::vector<Plot>> drawPlots(const Json& report, const fs::path& directory) {
   const std::vector<Json> results = timedResults(report);
-  const std::vector<std::pair<fs::path, std::string>> scripts{
-      {"mean-speedup-by-size.svg", meanSpeedupBySize(results)},
-      {"mean-speedup-by-samples.svg", meanSpeedupBySamples(results)},
-      {"errors.svg", errorBoxes(report)},
-      {"speedup-by-size.svg", speedupBySize(results)},
-      {"speedup-by-samples.svg", speedupBySamples(results)},
-      {"error-against-time.svg", errorAgainstTime(results)},
-      {"stages.svg", stageShares(results)}};
+  const std::vector<PlotScript> scripts{
+      {"mean-speedup-by-size", "Mean speedup by picture size", meanSpeedupBySize(results)},
+      {"mean-speedup-by-samples", "Mean speedup by samples per pixel", meanSpeedupBySamples(results)},
+      {"errors", "Error of all views", errorBoxes(report)},
+      {"speedup-by-size", "Speedup by picture size", speedupBySize(results)},
+      {"speedup-by-samples", "Speedup by samples per pixel", speedupBySamples(results)},
+      {"error-against-time", "Error against time", errorAgainstTime(results)},
+      {"stages", "Where the technique's time goes", stageShares(results)}};
   const fs::path folder = "plots";
   const OutputDirectory output(directory / folder);
-  std::vector<fs::path> plots;
-  for (const auto& [file, script] : scripts) {
-    if (script.empty()) continue;
-    if (!drawSvg(output.path() / file, script)) return std::nullopt;
-    plots.push_back(folder / file);
+  removePlots(output.path());
+  std::vector<Plot> plots;
+  for (const auto& [name, title, commands] : scripts) {
+    if (commands.empty()) continue;
+    const fs::path file = fs::path(name) += ".svg";
+    if (!drawSvg(output.path() / file, fmt::format("set title {}\n{}", gnuplotQuoted(title), commands)))
+      return std::nullopt;
+    plots.push_back({folder / file, title});
   }
   return plots;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <ctime>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -14,29 +15,48 @@
 #include "host/measure/report_check.h"
 
 namespace host {
+namespace fs = std::filesystem;
 namespace {
 
-/// The fields that tell one picture from another.
-constexpr std::array kIdentity{"scene", "camera", "width", "height", "effect", "technique", "settings"};
+/// The fields that tell one picture from another, and scenes of the same name.
+constexpr std::array kIdentity{"scene",  "triangles", "camera",    "camera_name", "width",
+                               "height", "effect",    "technique", "settings"};
 
-[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& reason) {
-  throw std::runtime_error(
-      fmt::format("Cannot resume from '{}': {}; leave out --resume to begin anew.", file.string(), reason));
+Json parse(const fs::path& file) {
+  std::ifstream stream(file);
+  return Json::parse(stream, nullptr, false);
 }
 
-Json readReport(const std::filesystem::path& file, const Json& empty) {
-  std::ifstream stream(file);
-  Json report = Json::parse(stream, nullptr, false);
-  if (const std::string fault = faultOf(report); !fault.empty()) refuse(file, fault);
-  if (report.at("machine") != empty.at("machine")) refuse(file, "it was measured on another machine");
+/// Why `report` cannot be gone on with by what makes `empty` reports; nothing if it can.
+std::string obstacleOf(const Json& report, const Json& empty) {
+  if (const std::string fault = faultOf(report); !fault.empty()) return fault;
+  if (report.at("machine") != empty.at("machine")) return "it was measured on another machine";
   if (report.at("version") != empty.at("version"))
-    refuse(file,
-           fmt::format("it was measured by mres {}, and this is {}", report.at("version").get<std::string>(),
-                       empty.at("version").get<std::string>()));
+    return fmt::format("it was measured by mres {}, and this is {}", report.at("version").get<std::string>(),
+                       empty.at("version").get<std::string>());
   if (report.at("commit") != empty.at("commit"))
-    refuse(file, fmt::format("it was measured at commit {}, and this is {}", report.at("commit").dump(),
-                             empty.at("commit").dump()));
+    return fmt::format("it was measured at commit {}, and this is {}", report.at("commit").dump(),
+                       empty.at("commit").dump());
+  return "";
+}
+
+Json resumedFrom(const fs::path& file, const Json& empty) {
+  Json report = parse(file);
+  if (const std::string obstacle = obstacleOf(report, empty); !obstacle.empty())
+    throw std::runtime_error(fmt::format("Cannot resume from '{}': {}; leave out --resume to begin anew.",
+                                         file.string(), obstacle));
   return report;
+}
+
+/// Hours of measuring are not to be lost for a forgotten --resume.
+void setAside(const fs::path& file) {
+  const fs::path previous = fs::path(file).replace_extension(".previous.json");
+  std::error_code error;
+  fs::rename(file, previous, error);
+  if (error)
+    throw std::runtime_error(fmt::format("Cannot keep '{}' as '{}': {}; choose another place with -o.",
+                                         file.string(), previous.string(), error.message()));
+  fmt::print(stderr, "mres: The results that were there are kept as '{}'.\n", previous.string());
 }
 
 /// The UTC day.
@@ -54,11 +74,25 @@ bool has(const Json& result, WantedParts parts) {
 
 }  // namespace
 
-BenchResults::BenchResults(std::filesystem::path file, const Machine& machine, bool resume)
+Json readResults(const fs::path& file) {
+  std::error_code ignored;  // what cannot be looked at cannot be read
+  const bool isThere = fs::exists(file, ignored);
+  Json report = parse(file);
+  if (const std::string fault = isThere ? faultOf(report) : "there is no such file"; !fault.empty())
+    throw std::runtime_error(fmt::format("Cannot report from '{}': {}; leave out --report to measure anew.",
+                                         file.string(), fault));
+  return report;
+}
+
+BenchResults::BenchResults(fs::path file, const Machine& machine, bool resume)
     : file_(std::move(file)), report_(makeReport(machine)) {
   report_["date"] = today();
   std::error_code ignored;  // a file that cannot be looked at cannot be replaced either, which is told then
-  if (resume && std::filesystem::exists(file_, ignored)) report_ = readReport(file_, report_);
+  if (!fs::exists(file_, ignored)) return;
+  if (resume)
+    report_ = resumedFrom(file_, report_);
+  else
+    setAside(file_);
 }
 
 bool BenchResults::contains(const Measurement& wanted, WantedParts parts) const {

@@ -13,12 +13,16 @@ struct WantedParts {
   bool truth = false;
 };
 
+/// What a campaign left in `file`. Throws std::runtime_error with a sentence if that is no sound report.
+Json readResults(const std::filesystem::path& file);
+
 /// The results.json of a campaign: on disk after every measurement, so that an interrupted campaign can go
 /// on.
 class BenchResults {
  public:
   /// With `resume`, starts from what `file` holds. Throws std::runtime_error with a sentence if that is no
-  /// sound report, or one of another machine or version of mres.
+  /// sound report, or one of another machine or version of mres. Without, a file that is there is renamed to
+  /// *.previous.json, which is told on stderr.
   BenchResults(std::filesystem::path file, const Machine& machine, bool resume);
 
   /// Whether the picture that `wanted` describes was measured with these settings and has those parts.

@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 #include <iterator>
 #include <map>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
-#include "host/commands/plot_script.h"
+#include "host/measure/result_names.h"
+#include "host/measure/statistics.h"
 
 namespace host {
 namespace {
@@ -32,10 +32,6 @@ std::map<Key, Group> groupsOf(const Json& results) {
     if (!result["error"].is_null()) group.errors.push_back(result["error"]["rms"]);
   }
   return groups;
-}
-
-double mean(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 /// Mean, least and greatest; "-" for none.

@@ -4,7 +4,7 @@
 #include <map>
 #include <tuple>
 
-#include "host/commands/plot_script.h"
+#include "host/measure/result_names.h"
 
 namespace host {
 namespace {

@@ -1,18 +1,17 @@
 #include "host/commands/command_line.h"
 
 #include <CLI/CLI.hpp>
-#include <cctype>
 #include <cstdio>
 #include <fmt/format.h>
 #include <iostream>
 #include <new>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "host/commands/commands.h"
 #include "host/commands/interruption.h"
+#include "host/commands/notes.h"
 #include "host/commands/parse.h"
 #include "host/commands/usage_error.h"
 
@@ -33,16 +32,6 @@ Examples:
 
 SCENE is a built-in name (mres info lists them) or a .gltf or .glb file.
 Exit codes: 0 done, 1 failed, 2 wrong usage. `mres COMMAND --help` tells more.)";
-
-/// Messages of libraries included, an error reads as a sentence. Of a shader compiler's log, the first line
-/// says what is wrong.
-std::string asSentence(std::string text) {
-  text = text.substr(0, text.find('\n'));
-  if (text.empty()) return text;
-  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-  if (std::string_view(".!?").find(text.back()) == std::string_view::npos) text += '.';
-  return text;
-}
 
 int fail(int code, const std::string& message) {
   fmt::print(stderr, "mres: {}\n", asSentence(message));
@@ -102,7 +91,7 @@ int runCommandLine(int argc, const char* const* argv) {
   } catch (const Interrupted&) {
     endByInterrupt();
   } catch (const std::bad_alloc&) {
-    return fail(kFailed, "There is not enough memory for this; try a smaller --size.");
+    return fail(kFailed, "There is not enough memory for this.");
   } catch (const std::exception& error) {
     return fail(kFailed, error.what());
   }

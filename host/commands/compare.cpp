@@ -10,10 +10,12 @@
 #include "host/commands/options.h"
 #include "host/commands/output.h"
 #include "host/commands/progress.h"
+#include "host/commands/stopwatch.h"
 #include "host/commands/usage_error.h"
 #include "host/measure/comparison.h"
 #include "host/measure/picture_files.h"
 #include "host/measure/report.h"
+#include "host/measure/report_table.h"
 #include "host/platform/gl_context.h"
 
 namespace host {
@@ -36,8 +38,9 @@ Examples:
   mres compare room.glb --samples 16 --set radius=0.8 --json -o out
 
 The folder gets full.png and mres.png (lit), effect_full and effect_mres (.png, and .exr with the exact values),
-difference.png (8 times enhanced), edges.png (red normals, green depth), levels.png (red full, green half, blue
-quarter, black eighth resolution) and report.json; with --camera all the pictures lie in a folder for each camera.)";
+difference.png (8 times enhanced), edges.png (red normals, green depth, blue edges of the effect itself such as those
+of shadows), levels.png (red full, green half, blue quarter, black eighth resolution) and report.json; with --camera all
+the pictures lie in a folder for each camera.)";
 
 /// Where the pictures of a camera go, relative to the output.
 fs::path pictureFolder(std::size_t cameras, int camera) {
@@ -69,6 +72,7 @@ class CompareRun {
 
  private:
   void compareCamera(int camera) {
+    const Stopwatch stopwatch;
     Measurement measurement =
         comparison_.measure({camera, options_.view.size, options_.timing.plan(), options_.truth},
                             [&](double share, const std::string& what) {
@@ -81,6 +85,7 @@ class CompareRun {
         folder, writePictures(comparison_.pictures(), directory.path(), [&](const std::string& name) {
           show(0.95, fmt::format("camera {}: writing {}", camera, name));
         }));
+    measurement.seconds = stopwatch.elapsed().count();
     report_["results"].push_back(toJson(measurement));
   }
 
@@ -102,9 +107,9 @@ class CompareRun {
 void runCompare(const CompareOptions& options) {
   if (options.picture.settings.effect == kNoEffect)
     throw UsageError("Without an effect there is nothing to compare; give --effect ssao.");
-  const glm::ivec2 size = options.view.size;
-  requireMemory(options.truth ? bytesOfComparisonWithTruth(size) : bytesOfComparison(size),
-                availableMemory());
+  const PictureNeed need = needOf(options.picture.settings, options.view.size);
+  requireMemory(options.truth ? bytesOfComparisonWithTruth(need) : bytesOfComparison(need), availableMemory(),
+                "give a smaller --size");
   const OutputDirectory output(options.output);
   StderrProgressBar progress;
   const GlContext context;
@@ -132,7 +137,7 @@ void addCompareCommand(CLI::App& app, Action& action) {
   addTimingOptions(*command, options->timing, "the speedup");
   command->add_flag(
       "--truth", options->truth,
-      "also measure technique and reference against the effect with 4096 samples and, for ambient "
+      "also measure technique and reference against the effect with 4096 samples or more and, for ambient "
       "occlusion and shadows, against ray tracing");
   command->add_option("-o,--output", options->output, "where pictures and report.json go")
       ->required()

@@ -9,6 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "host/commands/interruption.h"
 #include "host/commands/output.h"
 #include "host/files/temporary_file.h"
 
@@ -70,6 +71,7 @@ Outcome runGnuplot(const fs::path& script, const fs::path& output) {
   if (error == ENOENT) return Outcome::missing;
   int status = 0;
   if (error != 0 || waitpid(child, &status, 0) != child) return Outcome::failed;
+  throwIfInterrupted();  // Ctrl-C reaches gnuplot too, which says nothing of the script
   return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? Outcome::done : Outcome::failed;
 }
 

@@ -1,7 +1,9 @@
 #include "host/commands/notes.h"
 
 #include <algorithm>
+#include <cctype>
 #include <fmt/ostream.h>
+#include <string_view>
 
 namespace host {
 namespace {
@@ -9,6 +11,14 @@ namespace {
 constexpr std::size_t kMostLines = 4;
 
 }  // namespace
+
+std::string asSentence(std::string text) {
+  text = text.substr(0, text.find('\n'));
+  if (text.empty()) return text;
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  if (std::string_view(".!?").find(text.back()) == std::string_view::npos) text += '.';
+  return text;
+}
 
 void writeNotes(std::ostream& out, const std::vector<std::string>& warnings) {
   // "and 1 more" would take the place of what it hides.

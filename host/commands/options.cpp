@@ -147,7 +147,7 @@ void addTimingOptions(CLI::App& command, TimingOptions& options, const std::stri
   RepeatPlan& plan = options.repeat;
   CLI::Option* repeat = addText(
       command, "--repeat", "N", [&plan](const std::string& text) { plan.pairs = parseRepeat(text); },
-      fmt::format("timed repetitions (default: {} to {}, until {} is known within {:.0f} %, or for {:.0f} s)",
+      fmt::format("timed repetitions (default: {} to {}, until {} is known within {:.0f} %, or for {} s)",
                   plan.minPairs, plan.maxPairs, figure, plan.precision * 100.0, plan.maxSeconds));
   command
       .add_flag_callback(

@@ -7,25 +7,8 @@
 
 namespace host {
 
-std::string viewOf(const Json& result) {
-  return fmt::format("{} {}", result["scene"].get<std::string>(), result["camera"].get<int>());
-}
-
-std::string sizeOf(const Json& result) {
-  return fmt::format("{}x{}", result["width"].get<int>(), result["height"].get<int>());
-}
-
-double megapixels(const Json& result) {
-  return result["width"].get<double>() * result["height"].get<double>() / 1e6;
-}
-
-std::string workOf(const Json& result) {
-  return fmt::format("{}, {} samples", result["effect"].get<std::string>(), result["samples"].get<int>());
-}
-
-std::string axes(const std::string& title, const std::string& x, const std::string& y) {
-  return fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n", gnuplotQuoted(title), gnuplotQuoted(x),
-                     gnuplotQuoted(y));
+std::string axes(const std::string& x, const std::string& y) {
+  return fmt::format("set xlabel {}\nset ylabel {}\n", gnuplotQuoted(x), gnuplotQuoted(y));
 }
 
 std::string speedupScale() {

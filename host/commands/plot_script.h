@@ -6,8 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "host/measure/report.h"
-
 namespace host {
 
 using Point = std::pair<double, double>;
@@ -16,16 +14,8 @@ using Series = std::map<std::string, std::vector<Point>>;
 /// As many as have lines of their own.
 inline constexpr std::size_t kMostSeries = 12;
 
-/// "hall 0".
-std::string viewOf(const Json& result);
-/// "1920x1080".
-std::string sizeOf(const Json& result);
-double megapixels(const Json& result);
-/// "ssao, 64 samples".
-std::string workOf(const Json& result);
-
-/// Title and labels.
-std::string axes(const std::string& title, const std::string& x, const std::string& y);
+/// Their labels.
+std::string axes(const std::string& x, const std::string& y);
 
 /// From zero up, with a line where both techniques are as fast.
 std::string speedupScale();

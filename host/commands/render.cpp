@@ -10,6 +10,7 @@
 #include "host/commands/options.h"
 #include "host/commands/output.h"
 #include "host/commands/progress.h"
+#include "host/commands/stopwatch.h"
 #include "host/commands/usage_error.h"
 #include "host/measure/effect_instance.h"
 #include "host/measure/gl_timer.h"
@@ -50,7 +51,8 @@ void requireRenderable(const RenderOptions& options) {
         "One picture needs one camera; give --camera a number, or use mres compare for all of them.");
   if (!options.hasEffect() && options.timing.repeat.pairs)
     throw UsageError("Without an effect there is nothing to time; leave out --repeat.");
-  requireMemory(bytesOfRender(options.view.size), availableMemory());
+  requireMemory(bytesOfRender(needOf(options.picture.settings, options.view.size)), availableMemory(),
+                "give a smaller --size");
   requireWritableFile(options.output);
 }
 
@@ -62,7 +64,7 @@ class PictureMaker {
       : options_(options),
         scene_(scene),
         progress_(progress),
-        renderer_(scene, profiler_, options.picture.settings.renderer),
+        renderer_(scene, profiler_, rendererSettings(options.picture.settings)),
         softwareRasterizer_(softwareRasterizer) {
     const GBufferTextures& gbuffer =
         renderer_.drawGeometry(scene.cameras.at(*options.view.camera), options.view.size);
@@ -159,6 +161,7 @@ std::string textOf(const RenderOptions& options, const GlContext::Info& gl, cons
 }
 
 void runRender(const RenderOptions& options) {
+  const Stopwatch stopwatch;
   requireRenderable(options);
   StderrProgressBar progress;
   const GlContext context;
@@ -171,10 +174,11 @@ void runRender(const RenderOptions& options) {
   PictureMaker maker(options, scene, context.info().software, progress);
   progress.clear();
   writeNotes(std::cerr, maker.warnings());
-  const Measurement measurement = maker.measure();
+  Measurement measurement = maker.measure();
   const FloatImage picture = maker.picture();
   throwIfInterrupted();
   writeImage(options.output, picture);
+  measurement.seconds = stopwatch.elapsed().count();
   progress.clear();
   fmt::print("{}", textOf(options, context.info(), measurement));
 }

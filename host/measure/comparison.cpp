@@ -27,7 +27,7 @@ Comparison::Comparison(const Scene& scene, const PictureSettings& settings, bool
     : scene_(scene),
       settings_(settings),
       softwareRasterizer_(softwareRasterizer),
-      renderer_(scene, profiler_, settings.renderer),
+      renderer_(scene, profiler_, rendererSettings(settings)),
       technique_(settings, settings.technique, EffectInstance::Coverage::unmeasured),
       reference_(settings, kReference, EffectInstance::Coverage::unmeasured),
       inspected_(settings, settings.technique, EffectInstance::Coverage::measured) {}

@@ -25,10 +25,10 @@ struct ComparisonRequest {
 struct ComparisonPictures {
   FloatImage reference;        ///< lit by the reference
   FloatImage technique;        ///< lit by the technique
-  FloatImage referenceEffect;  ///< the effect's values, 0..1
+  FloatImage referenceEffect;  ///< the effect's values; see error_metrics.h
   FloatImage techniqueEffect;
   FloatImage difference;  ///< of the effect's values, kDifferenceEnhancement times enhanced
-  FloatImage edges;       ///< red normals, green depth
+  FloatImage edges;       ///< red normals, green depth, blue what the effect finds itself, e.g. shadows
   FloatImage levels;  ///< the finest level at each pixel: red full, green half, blue quarter, black eighth
 };
 

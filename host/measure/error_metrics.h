@@ -1,4 +1,5 @@
-// How far an effect's picture is from its reference, on values in 0..1 before any rounding to eight bits.
+// How far an effect's picture is from its reference, on the effect's values before any rounding to eight
+// bits: 0..1, but for SSGI's, which are exposed radiance (irradiance / pi) and may be larger.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +23,7 @@ ValueErrors compareValues(const FloatImage& image, const FloatImage& reference);
 struct ErrorMetrics {
   double rms = 0.0;
   double max = 0.0;
-  double psnr = 0.0;           ///< decibels for a peak of 1; infinite for equal images
+  double psnr = 0.0;           ///< decibels for a peak of 1, whatever the values; infinite for equal images
   double ssim = 1.0;           ///< structural similarity, 1 for equal images
   std::int64_t nonFinite = 0;  ///< as in ValueErrors
 };

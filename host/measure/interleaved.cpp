@@ -20,18 +20,22 @@ class Steps {
   const RunObserver& observe_;
 };
 
-void warmUp(const Work& work, const Timer& timer, double seconds, const Steps& steps) {
-  for (double spent = 0.0; spent < seconds;) {
+/// What it took.
+double warmUp(const Work& work, const Timer& timer, double seconds, const Steps& steps) {
+  double spent = 0.0;
+  while (spent < seconds) {
     steps.done(0);
     spent += timer(work).wallMs / 1000.0;
   }
+  return spent;
 }
 
 bool isEnough(std::size_t runs, const RepeatPlan& plan, double spentSeconds,
               const std::function<RatioEstimate()>& estimate) {
   const int done = static_cast<int>(runs);
   if (plan.pairs) return done >= *plan.pairs;
-  if (done < plan.minPairs) return false;
+  if (done == 0) return false;
+  if (done < plan.minPairs) return spentSeconds / done * (done + 1) > plan.maxSecondsOfMinPairs;
   return done >= plan.maxPairs || spentSeconds >= plan.maxSeconds || estimate().isKnownWithin(plan.precision);
 }
 
@@ -44,8 +48,8 @@ RatioEstimate medianOf(const std::vector<RunTime>& runs) {
 InterleavedTimes timeInterleaved(const Work& technique, const Work& reference, const Timer& timer,
                                  const RepeatPlan& plan, const RunObserver& observe) {
   const Steps steps(plan, observe);
-  warmUp(technique, timer, plan.warmUpSeconds, steps);
-  warmUp(reference, timer, plan.warmUpSeconds, steps);
+  if (warmUp(technique, timer, plan.warmUpSeconds, steps) <= plan.maxSecondsOfWarmUp)
+    warmUp(reference, timer, plan.warmUpSeconds, steps);
 
   InterleavedTimes times;
   double spentSeconds = 0.0;

@@ -58,6 +58,7 @@ struct Measurement {
   std::string stagesClock;                ///< what the stages were timed with
   std::vector<SkippedPart> skipped;
   std::size_t gpuBytes = 0;
+  double seconds = 0.0;               ///< that all of it took, pictures written and scene loaded
   Json pictures = Json::object();     ///< what a picture shows -> its file, relative to the report
   std::vector<std::string> warnings;  ///< warningsOf() it
 };

@@ -23,20 +23,26 @@ std::unique_ptr<mres::Effect> makeEffect(const PictureSettings& settings) {
   return std::make_unique<mres::Ssao>(settings.ssao);
 }
 
+RendererSettings rendererSettings(const PictureSettings& settings) {
+  RendererSettings renderer = settings.renderer;
+  if (settings.effect == kSoftShadowEffect) renderer.shadowReach = settings.softShadows.filterRadius;
+  return renderer;
+}
+
 namespace {
 
 mres::ShadowInputs shadowInputs(const Renderer& renderer) {
-  const SunShadow sun = renderer.sunShadow();
-  return {.shadowMap = sun.map,
-          .mapSize = sun.size,
-          .shadowFromView = sun.shadowFromView,
-          .light = glm::vec4(sun.directionToSun, 0.0f)};
+  const ShadowMap shadow = renderer.shadowMap();
+  return {.shadowMap = shadow.map,
+          .mapSize = shadow.size,
+          .shadowFromView = shadow.shadowFromView,
+          .light = shadow.light};
 }
 
-/// Light bounces off the picture as it is lit without the effect.
+/// Light bounces off opaque surfaces as they are lit without the effect.
 mres::SsgiInputs ssgiInputs(Renderer& renderer) {
   const AmbientLight ambient = renderer.ambient();
-  return {.radiance = renderer.drawLighting({}),
+  return {.radiance = renderer.drawOpaqueLighting({}),
           .radianceScale = renderer.exposure(),
           .environmentAbove = ambient.above * renderer.exposure(),
           .environmentBelow = ambient.below * renderer.exposure(),
@@ -58,7 +64,7 @@ void setInputs(mres::Effect& effect, const EffectInputs& inputs) {
 }
 
 ScreenEffects screenEffects(const PictureSettings& settings, GLuint values) {
-  if (settings.effect == kSoftShadowEffect) return {.sunVisibility = values};
+  if (settings.effect == kSoftShadowEffect) return {.visibility = values};
   if (settings.effect == kSsgiEffect) return {.indirect = values};
   return {.accessibility = values};
 }

@@ -35,6 +35,9 @@ std::string nameOf(mres::Technique technique);
 /// The effect that the settings name; nullptr for kNoEffect. Needs a current OpenGL context.
 std::unique_ptr<mres::Effect> makeEffect(const PictureSettings& settings);
 
+/// Those of the renderer, with what the effect asks of it.
+RendererSettings rendererSettings(const PictureSettings& settings);
+
 /// What effects read of a frame besides the G-buffer.
 struct EffectInputs {
   mres::ShadowInputs shadow;

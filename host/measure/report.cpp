@@ -92,6 +92,7 @@ Json toJson(const Measurement& measurement) {
   for (const SkippedPart& part : measurement.skipped)
     result["skipped"].push_back({{"what", part.what}, {"reason", part.reason}});
   result["gpu_bytes"] = measurement.gpuBytes;
+  result["seconds"] = measurement.seconds;
   result["settings"] = measurement.settings;
   result["pictures"] = measurement.pictures;
   result["warnings"] = measurement.warnings;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "host/measure/measurement.h"
 
@@ -26,17 +25,11 @@ Json makeReport(const Machine& machine);
 /// JSON as it is written to files and to stdout.
 std::string toText(const Json& report);
 
-/// A row of titles, one for each result, and one of means where there are several.
-std::vector<std::vector<std::string>> tableRows(const Json& report);
-
 /// Errors of a result against each truth by its name; null where there are none.
 Json truthsOf(const Json& result);
 
 /// "converged, 4096 samples".
 std::string truthTitle(const std::string& name, const Json& truth);
-
-/// Those rows aligned for a terminal, and where the time goes.
-std::string toTable(const Json& report);
 
 /// How far technique and reference are from each truth, a row a picture and truth, aligned for a terminal;
 /// empty for a report without truths.

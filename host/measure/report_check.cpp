@@ -70,8 +70,16 @@ bool isTruth(const Json& value) {
          (has<isWhole>(value, "samples") || has<isWhole>(value, "rays"));
 }
 
-bool isFileOrFactor(const Json& value) {
-  return value.is_string() || value.is_number();
+/// Files by what they show, and one number.
+bool isPictures(const Json& value) {
+  if (!value.is_object()) return false;
+  for (const auto& [subject, entry] : value.items())
+    if (!(subject == "difference_enhancement" ? isNumber(entry) : isText(entry))) return false;
+  return true;
+}
+
+bool isMachine(const Json& value) {
+  return has<isText>(value, "renderer") && has<isText>(value, "version") && has<isWhole>(value, "cores");
 }
 
 struct Field {
@@ -80,7 +88,9 @@ struct Field {
 };
 
 constexpr std::array kResultFields{Field{"scene", isText},
+                                   Field{"triangles", isWhole},
                                    Field{"camera", isWhole},
+                                   Field{"camera_name", isText},
                                    Field{"width", isWhole},
                                    Field{"height", isWhole},
                                    Field{"effect", isText},
@@ -95,10 +105,11 @@ constexpr std::array kResultFields{Field{"scene", isText},
                                    Field{"coverage", isListOf<isNumber>},
                                    Field{"stages_ms", isTableOf<isNumber>},
                                    Field{"settings", isObject},
-                                   Field{"pictures", isTableOf<isFileOrFactor>}};
+                                   Field{"pictures", isPictures}};
 
 /// Fields that older reports lack.
-constexpr std::array kLaterFields{Field{"truth", isNullOr<isTableOf<isTruth>>}};
+constexpr std::array kLaterFields{Field{"truth", isNullOr<isTableOf<isTruth>>}, Field{"seconds", isNumber},
+                                  Field{"warnings", isListOf<isText>}};
 
 /// A speedup comes with the times it is of, and plots show it with the error.
 constexpr std::array kFieldsOfASpeedup{"time_ms", "reference_time_ms", "clock", "speedup_interval", "error"};
@@ -126,7 +137,8 @@ std::string faultOf(const Json& report) {
     return "its schema is another one";
   if (!has<isText>(report, "version")) return "it names no version of mres";
   if (!has<isText>(report, "commit")) return "it names no commit of mres";
-  if (!has<isObject>(report, "machine")) return "it names no machine";
+  if (report.contains("date") && !isText(report.at("date"))) return "its date is no text";
+  if (!has<isMachine>(report, "machine")) return "it names no machine";
   if (!report.contains("results") || !report.at("results").is_array()) return "it has no list of results";
   for (std::size_t i = 0; i < report.at("results").size(); ++i)
     if (const std::string fault = faultOfResult(report.at("results")[i]); !fault.empty())

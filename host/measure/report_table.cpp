@@ -1,8 +1,12 @@
-// The report for people: one row a picture, then where the time goes.
+#include "host/measure/report_table.h"
+
+#include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <functional>
 
-#include "host/measure/report.h"
+#include "host/measure/result_names.h"
+#include "host/measure/statistics.h"
 #include "host/measure/text_table.h"
 
 namespace host {
@@ -48,42 +52,65 @@ const std::vector<Figure>& figures() {
   return kFigures;
 }
 
-std::string pictureName(const Json& result) {
-  return fmt::format("{} {} {}x{} {} {}", result["scene"].get<std::string>(), result["camera"].get<int>(),
-                     result["width"].get<int>(), result["height"].get<int>(),
-                     result["effect"].get<std::string>(), result["samples"].get<int>());
+constexpr std::array kNames{"scene", "camera", "size", "effect", "samples"};
+
+std::vector<std::string> namesOf(const Json& result) {
+  return {result["scene"].get<std::string>(), result["camera"].dump(), sizeOf(result),
+          result["effect"].get<std::string>(), result["samples"].dump()};
+}
+
+/// Half of the speedup's interval, where there are enough pairs for one.
+std::string uncertainty(const Json& result) {
+  const Json& interval = result["speedup_interval"];
+  if (interval.is_null() || result["time_ms"]["runs"].get<std::size_t>() < RatioEstimate::kLeastPairs)
+    return "-";
+  const double half = 0.5 * (interval[1].get<double>() - interval[0].get<double>());
+  return fmt::format("{:.1f}", half / result["speedup"].get<double>() * 100.0);
+}
+
+std::string runsText(const Json& result) {
+  return result["time_ms"].is_null() ? "-" : result["time_ms"]["runs"].dump();
 }
 
 std::vector<std::string> titles() {
-  std::vector<std::string> row{"scene camera size effect samples"};
+  std::vector<std::string> row(kNames.begin(), kNames.end());
   for (const Figure& figure : figures()) row.emplace_back(figure.title);
-  row.emplace_back("coverage %, fine to coarse");
+  row.insert(row.end(), {"runs", "+-%", "coverage %, fine to coarse"});
   return row;
 }
 
 std::vector<std::string> rowOf(const Json& result) {
-  std::vector<std::string> row{pictureName(result)};
+  std::vector<std::string> row = namesOf(result);
   for (const Figure& figure : figures()) row.push_back(cell(figure.get(result), figure.format));
-  row.push_back(coverageText(result["coverage"]));
+  row.insert(row.end(), {runsText(result), uncertainty(result), coverageText(result["coverage"])});
   return row;
+}
+
+/// "-" where a result lacks the figure.
+std::string meanCell(const Json& results, const Figure& figure) {
+  std::vector<double> values;
+  for (const Json& result : results) {
+    const Json value = figure.get(result);
+    if (value.is_null()) return "-";
+    values.push_back(value.get<double>());
+  }
+  return cell(mean(values), figure.format);
 }
 
 std::vector<std::string> meanRow(const Json& results) {
-  std::vector<std::string> row{"mean"};
-  for (const Figure& figure : figures()) {
-    double sum = 0.0;
-    bool complete = true;
-    for (const Json& result : results) {
-      const Json value = figure.get(result);
-      complete = complete && !value.is_null();
-      if (complete) sum += value.get<double>();
-    }
-    row.push_back(complete ? cell(sum / static_cast<double>(results.size()), figure.format) : "-");
-  }
+  std::vector<std::string> row(kNames.size());
+  row.front() = "mean";
+  for (const Figure& figure : figures()) row.push_back(meanCell(results, figure));
   return row;
 }
 
-/// Stages in the order in which they first appear, averaged over the results that have them.
+bool agreeIn(const Json& results, std::initializer_list<const char*> fields) {
+  return std::ranges::all_of(results, [&](const Json& result) {
+    return std::ranges::all_of(fields, [&](const char* field) { return result[field] == results[0][field]; });
+  });
+}
+
+/// Stages in the order in which they first appear, as means over all results.
 Rows stageRows(const Json& results) {
   Json sums = Json::object();
   double total = 0.0;
@@ -100,35 +127,38 @@ Rows stageRows(const Json& results) {
   return rows;
 }
 
-std::string certainty(const Json& results) {
-  if (results.size() != 1 || results[0]["speedup"].is_null()) return {};
-  const Json& result = results[0];
-  return fmt::format(
-      "Speedup {:.2f}x, between {:.2f}x and {:.2f}x with 95 % confidence: {} interleaved pairs, {}.\n",
-      result["speedup"].get<double>(), result["speedup_interval"][0].get<double>(),
-      result["speedup_interval"][1].get<double>(), result["time_ms"]["runs"].get<int>(),
-      result["clock"].get<std::string>());
+std::string certainty(const Json& result) {
+  if (result["speedup"].is_null()) return {};
+  const auto runs = result["time_ms"]["runs"].get<std::size_t>();
+  std::string text = fmt::format("Speedup {:.2f}x", result["speedup"].get<double>());
+  if (runs >= RatioEstimate::kLeastPairs)
+    text +=
+        fmt::format(", between {:.2f}x and {:.2f}x with 95 % confidence",
+                    result["speedup_interval"][0].get<double>(), result["speedup_interval"][1].get<double>());
+  return fmt::format("\n{}: {} interleaved pair{}, {}.\n", text, runs, runs == 1 ? "" : "s",
+                     result["clock"].get<std::string>());
 }
 
 }  // namespace
 
-std::vector<std::vector<std::string>> tableRows(const Json& report) {
-  const Json& results = report["results"];
+Rows tableRows(const Json& report) {
   Rows rows{titles()};
-  for (const Json& result : results) rows.push_back(rowOf(result));
-  if (results.size() > 1) rows.push_back(meanRow(results));
+  for (const Json& result : report["results"]) rows.push_back(rowOf(result));
   return rows;
 }
 
 std::string toTable(const Json& report) {
   const Json& results = report["results"];
   const Json& machine = report["machine"];
+  Rows rows = tableRows(report);
+  if (results.size() > 1 && agreeIn(results, {"scene", "width", "height", "effect", "samples"}))
+    rows.push_back(meanRow(results));
   std::string text =
       fmt::format("{}, {} cores\n\n", machine["renderer"].get<std::string>(), machine["cores"].get<int>());
-  text += formatTable(tableRows(report));
-  if (const std::string line = certainty(results); !line.empty()) text += "\n" + line;
-  if (const Rows stages = stageRows(results); !stages.empty())
-    text += "\nWhere the technique's time goes, stage by stage:\n" + formatTable(stages);
+  text += formatTable(rows);
+  if (results.size() == 1) text += certainty(results[0]);
+  const Rows stages = agreeIn(results, {"effect"}) ? stageRows(results) : Rows();
+  if (!stages.empty()) text += "\nWhere the technique's time goes, stage by stage:\n" + formatTable(stages);
   return text;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <random>
 #include <stdexcept>
 
@@ -35,6 +36,11 @@ double median(std::vector<double> values) {
   return (*middle + *std::max_element(values.begin(), middle)) / 2.0;
 }
 
+double mean(std::span<const double> values) {
+  if (values.empty()) throw std::invalid_argument("the mean of no values is undefined");
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
 Summary summarize(std::span<const double> values) {
   Summary summary;
   summary.median = median({values.begin(), values.end()});
@@ -46,7 +52,7 @@ Summary summarize(std::span<const double> values) {
 }
 
 bool RatioEstimate::isKnownWithin(double fraction) const {
-  return high - ratio <= fraction * ratio && ratio - low <= fraction * ratio;
+  return pairs >= kLeastPairs && high - ratio <= fraction * ratio && ratio - low <= fraction * ratio;
 }
 
 RatioEstimate ratioOfMedians(std::span<const double> numerators, std::span<const double> denominators) {
@@ -74,6 +80,7 @@ RatioEstimate ratioOfMedians(std::span<const double> numerators, std::span<const
   }
 
   RatioEstimate estimate;
+  estimate.pairs = count;
   estimate.ratio =
       median({numerators.begin(), numerators.end()}) / median({denominators.begin(), denominators.end()});
   estimate.low = std::min(quantile(ratios, kTailProbability), estimate.ratio);

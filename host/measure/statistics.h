@@ -2,6 +2,7 @@
 // outlier, not a measurement.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -18,19 +19,26 @@ struct Summary {
 double median(std::vector<double> values);
 Summary summarize(std::span<const double> values);
 
-/// A ratio of two medians and the interval in which it lies with 95 % confidence.
+/// Throws std::invalid_argument for no values at all.
+double mean(std::span<const double> values);
+
+/// A ratio of two medians and an interval for it.
 struct RatioEstimate {
+  /// Of fewer pairs, not even the range covers the median with 90 % (it is 1 - 2^(1 - pairs)).
+  static constexpr std::size_t kLeastPairs = 5;
+
   double ratio = 0.0;
   double low = 0.0;
   double high = 0.0;
+  std::size_t pairs = 0;
 
-  /// Whether the whole interval is within `fraction` of the ratio.
+  /// Whether the whole interval is within `fraction` of the ratio, and is one of enough pairs.
   [[nodiscard]] bool isKnownWithin(double fraction) const;
 };
 
 /// median(numerators) / median(denominators), the i-th of each taken one right after the other. The interval
-/// is the percentile bootstrap over such pairs (Efron and Tibshirani, An Introduction to the Bootstrap, 1993,
-/// chapter 13): pairs, since whatever slows the machine down for a while slows both of a pair. The same
+/// is the 95 % percentile bootstrap over such pairs (Efron and Tibshirani, An Introduction to the Bootstrap,
+/// 1993, chapter 13): pairs, since whatever slows the machine down for a while slows both of a pair. The same
 /// values give the same interval. Throws std::invalid_argument if the counts differ, are zero, or a value is
 /// not positive.
 RatioEstimate ratioOfMedians(std::span<const double> numerators, std::span<const double> denominators);

@@ -8,27 +8,36 @@
 namespace host {
 namespace {
 
-constexpr int kConvergedSamples = 4096;
+constexpr int kLeastConvergedSamples = 4096;
+constexpr int kConvergedOverPicture = 4;     // samples for each that the picture takes
 constexpr int kMostRayTracedPixels = 40000;  // of a picture of any size
 constexpr int kSeeds = 65536;                // different ones
 
 constexpr double kShareOfConverging = 0.85;  // of the time, about
 
-/// As many as the effect takes at once.
+/// That the effect takes at once.
 template <class EffectSettings>
-int samplesOfPass(EffectSettings& settings) {
+int mostSamples(EffectSettings& settings) {
   double most = 1.0;
   visit(settings, [&most](std::string_view name, auto&, const mres::SettingInfo& info) {
     if (name == "samples") most = info.max;
   });
-  return std::min(kConvergedSamples, static_cast<int>(most));
+  return static_cast<int>(most);
+}
+
+int dividedUp(int dividend, int divisor) {
+  return (dividend + divisor - 1) / divisor;
 }
 
 /// No pass has the seed of the pictures that are measured: their points would look better than they are.
 ConvergingPasses passesOf(const PictureSettings& settings, const EffectInputs& inputs) {
+  const int total = std::max(kLeastConvergedSamples, kConvergedOverPicture * sampleCount(settings));
   PictureSettings many = settings;
-  visitEffect(many, [](auto& effect) { effect.samples = samplesOfPass(effect); });
-  const int samples = sampleCount(many);
+  int passes = 1;
+  visitEffect(many, [&](auto& effect) {
+    passes = dividedUp(total, mostSamples(effect));
+    effect.samples = dividedUp(total, passes);
+  });
   const EffectOfPass effectOf = [many, inputs](int pass) {
     PictureSettings one = many;
     visitEffect(one, [pass](auto& effect) { effect.seed = (effect.seed + 1 + pass) % kSeeds; });
@@ -36,13 +45,13 @@ ConvergingPasses passesOf(const PictureSettings& settings, const EffectInputs& i
     setInputs(*effect, inputs);
     return effect;
   };
-  return {effectOf, (kConvergedSamples + samples - 1) / samples, samples};
+  return {effectOf, passes, sampleCount(many)};
 }
 
-/// The densest grid that is not too many pixels.
+/// The densest grid of an odd stride that is not too many pixels.
 PixelGrid rayGridOf(glm::ivec2 size) {
-  PixelGrid grid{size, 1};
-  while (grid.size().x * grid.size().y > kMostRayTracedPixels) grid.stride *= 2;
+  PixelGrid grid{.pictureSize = size};
+  while (grid.size().x * grid.size().y > kMostRayTracedPixels) grid.stride += 2;
   return grid;
 }
 
@@ -51,15 +60,20 @@ SunRays sunRays(const PictureSettings& settings, const mres::Frame& frame, const
   return {.towardsSun = glm::normalize(towardsSun), .diameter = settings.softShadows.lightAngle};
 }
 
+/// Whether the shadows are those of the sun, not of a lamp.
+bool isSunny(const mres::ShadowInputs& shadow) {
+  return shadow.shadowMap != 0 && shadow.light.w == 0.0f;
+}
+
 bool hasRayTracedTruth(const PictureSettings& settings, const EffectInputs& inputs) {
-  if (settings.effect == kSoftShadowEffect) return inputs.shadow.shadowMap != 0;  // else there is no sun
+  if (settings.effect == kSoftShadowEffect) return isSunny(inputs.shadow);
   return settings.effect == kSsaoEffect && settings.ssao.radius > 0.0f;
 }
 
 }  // namespace
 
 TruthFinder::TruthFinder(const Scene& scene, const PictureSettings& settings)
-    : settings_(settings), convergedReference_(settings.renderer.shaderDirectory), rayScene_(scene) {}
+    : scene_(scene), settings_(settings), convergedReference_(settings.renderer.shaderDirectory) {}
 
 std::vector<Truth> TruthFinder::find(const mres::Frame& frame, const EffectInputs& inputs,
                                      const WorkObserver& observe) {
@@ -80,11 +94,12 @@ Truth TruthFinder::converged(const mres::Frame& frame, const EffectInputs& input
 }
 
 Truth TruthFinder::rayTraced(const mres::Frame& frame, const EffectInputs& inputs,
-                             const WorkObserver& observe) const {
+                             const WorkObserver& observe) {
+  if (!rayScene_) rayScene_.emplace(scene_);
   const GridSurfaces surfaces = readSurfaces(rayGridOf(frame.size), frame);
   if (settings_.effect == kSoftShadowEffect)
-    return traceSunVisibility(rayScene_, surfaces, sunRays(settings_, frame, inputs), observe);
-  return traceAccessibility(rayScene_, surfaces, {settings_.ssao.radius, settings_.ssao.intensity}, observe);
+    return traceSunVisibility(*rayScene_, surfaces, sunRays(settings_, frame, inputs), observe);
+  return traceAccessibility(*rayScene_, surfaces, {settings_.ssao.radius, settings_.ssao.intensity}, observe);
 }
 
 }  // namespace host

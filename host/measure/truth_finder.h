@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "host/measure/picture_settings.h"
@@ -12,21 +13,21 @@ namespace host {
 /// with thousands of samples and, where that is known, light itself.
 class TruthFinder {
  public:
-  /// `scene` must outlive this. Needs a current OpenGL context. Throws as RayScene does.
+  /// `scene` must outlive this. Needs a current OpenGL context.
   TruthFinder(const Scene& scene, const PictureSettings& settings);
 
   /// Of a frame of the host's renderer, with what the effect reads besides. `observe` is called often enough
-  /// to stop the work in between.
+  /// to stop the work in between. Throws as RayScene does.
   std::vector<Truth> find(const mres::Frame& frame, const EffectInputs& inputs, const WorkObserver& observe);
 
  private:
   Truth converged(const mres::Frame& frame, const EffectInputs& inputs, const WorkObserver& observe);
-  [[nodiscard]] Truth rayTraced(const mres::Frame& frame, const EffectInputs& inputs,
-                                const WorkObserver& observe) const;
+  Truth rayTraced(const mres::Frame& frame, const EffectInputs& inputs, const WorkObserver& observe);
 
+  const Scene& scene_;
   PictureSettings settings_;
   ConvergedReference convergedReference_;
-  RayScene rayScene_;
+  std::optional<RayScene> rayScene_;  // made for the first rays
 };
 
 }  // namespace host

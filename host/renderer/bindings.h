@@ -9,7 +9,7 @@ namespace host::bindings {
 inline constexpr GLuint kView = 0;
 inline constexpr GLuint kMaterial = 1;
 inline constexpr GLuint kEnvironment = 2;
-inline constexpr GLuint kSun = 3;
+inline constexpr GLuint kShadow = 3;
 inline constexpr GLuint kLights = 4;
 inline constexpr GLuint kToneMap = 5;
 

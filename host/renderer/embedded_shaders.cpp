@@ -1,8 +1,6 @@
 #include "host/renderer/embedded_shaders.h"
 
-namespace mres {
-std::span<const gl::ShaderFile> embeddedShaders();
-}  // namespace mres
+#include "mres/embedded_shaders.h"
 
 namespace host {
 

@@ -34,12 +34,17 @@ void checkSize(glm::ivec2 size) {
 }
 
 RendererSettings checked(const RendererSettings& settings) {
-  if (settings.shadowMapSize < 1 || settings.shadowMapSize > largestSize()) {
+  if (settings.shadowMapSize < kLeastShadowMapSize || settings.shadowMapSize > largestSize()) {
     throw std::runtime_error("A shadow map of " + std::to_string(settings.shadowMapSize) +
-                             " texels a side cannot be made; this OpenGL device takes 1 to " +
-                             std::to_string(largestSize()) + ".");
+                             " texels a side cannot be made; this OpenGL device takes " +
+                             std::to_string(kLeastShadowMapSize) + " to " + std::to_string(largestSize()) +
+                             ".");
   }
   return settings;
+}
+
+ShadowMapNeeds shadowMapNeeds(const RendererSettings& settings) {
+  return {checked(settings).shadowMapSize, settings.shadowReach};
 }
 
 }  // namespace
@@ -49,13 +54,13 @@ struct Renderer::Implementation {
       : profiler(frameProfiler),
         library(shaderLibrary(settings.shaderDirectory)),
         gpuScene(scene),
-        illumination(scene, library, checked(settings).shadowMapSize),
+        illumination(scene, library, shadowMapNeeds(settings)),
         gbufferPass(library),
         lightingPass(library),
         transparentPass(library),
         toneMapPass(library),
-        exposure(exposureOf(scene, gpuScene.instances().bounds()) *
-                 std::exp2(settings.exposureCompensation)) {}
+        exposure(exposureOf(scene, gpuScene.instances().bounds())),
+        compensation(std::exp2(settings.exposureCompensation)) {}
 
   void drawGeometry(const Camera& camera, glm::ivec2 pictureSize) {
     size = pictureSize;
@@ -68,13 +73,17 @@ struct Renderer::Implementation {
     gbufferPass.draw(gpuScene, cameraView, size, profiler);
   }
 
-  void drawLighting(ScreenEffects effects) {
+  void drawOpaqueLighting(ScreenEffects effects) {
     if (effects.accessibility == 0) effects.accessibility = gpuScene.white();
     viewBlock.bind(bindings::kView);
     illumination.bind();
-    const GBufferTextures& gbuffer = gbufferPass.textures();
-    lightingPass.draw(gbuffer, {effects, exposure}, size, profiler);
-    transparentPass.draw(gpuScene, cameraView, lightingPass.radiance(), gbuffer.depth, profiler);
+    lightingPass.draw(gbufferPass.textures(), {effects, exposure}, size, profiler);
+  }
+
+  void drawLighting(const ScreenEffects& effects) {
+    drawOpaqueLighting(effects);
+    transparentPass.draw(gpuScene, cameraView, lightingPass.radiance(), gbufferPass.textures().depth,
+                         profiler);
   }
 
   mres::gl::Profiler& profiler;
@@ -86,7 +95,8 @@ struct Renderer::Implementation {
   TransparentPass transparentPass;
   ToneMapPass toneMapPass;
   mres::gl::UniformBuffer<mres::params::ViewParams> viewBlock;
-  float exposure;
+  float exposure;      // the scene's
+  float compensation;  // the display's
   glm::ivec2 size{1};
   CameraView cameraView{Camera{}, glm::ivec2(1)};
   glm::mat4 worldToView{1.0f};
@@ -103,6 +113,11 @@ const GBufferTextures& Renderer::drawGeometry(const Camera& camera, glm::ivec2 s
   return implementation_->gbufferPass.textures();
 }
 
+GLuint Renderer::drawOpaqueLighting(const ScreenEffects& effects) {
+  implementation_->drawOpaqueLighting(effects);
+  return implementation_->lightingPass.radiance().id();
+}
+
 GLuint Renderer::drawLighting(const ScreenEffects& effects) {
   implementation_->drawLighting(effects);
   return implementation_->lightingPass.radiance().id();
@@ -110,7 +125,7 @@ GLuint Renderer::drawLighting(const ScreenEffects& effects) {
 
 GLuint Renderer::drawToneMap() {
   Implementation& self = *implementation_;
-  self.toneMapPass.draw(self.lightingPass.radiance(), self.exposure, self.profiler);
+  self.toneMapPass.draw(self.lightingPass.radiance(), self.exposure * self.compensation, self.profiler);
   return self.toneMapPass.picture().id();
 }
 
@@ -122,7 +137,7 @@ const glm::mat4& Renderer::projection() const {
   return implementation_->cameraView.projection;
 }
 
-SunShadow Renderer::sunShadow() const {
+ShadowMap Renderer::shadowMap() const {
   return implementation_->illumination.shadow().shadow(implementation_->cameraView);
 }
 

@@ -1,5 +1,5 @@
-// The deferred host: shadow map, G-buffer, lighting, transparency, tone map. Ambient occlusion comes from
-// outside, between drawGeometry() and drawLighting().
+// The deferred host: shadow map, G-buffer, lighting, transparency, tone map. What screen-space effects add
+// comes from outside, between drawGeometry() and drawLighting(); see screen_effects.h.
 #pragma once
 
 #include <memory>
@@ -14,8 +14,12 @@
 
 namespace host {
 
+/// Smaller ones would be all margin.
+inline constexpr int kLeastShadowMapSize = 64;
+
 struct RendererSettings {
-  int shadowMapSize = 2048;           ///< texels, [1, 16384]. Side of the sun's shadow map.
+  int shadowMapSize = 2048;  ///< texels, [64, 16384]. Side of the shadow map.
+  float shadowReach = 0.0f;  ///< metres. How far beyond a surface effects that filter the shadow map look.
   float exposureCompensation = 0.0f;  ///< stops, [-10, 10]. Brightens the tone-mapped picture.
   std::string shaderDirectory{};  ///< Shader files found below it win over the embedded ones. Empty: none.
 };
@@ -23,7 +27,7 @@ struct RendererSettings {
 template <class Visitor>
 void visit(RendererSettings& settings, Visitor&& visitor) {
   visitor("shadowMapSize", settings.shadowMapSize,
-          mres::SettingInfo{"texels", 1.0, 16384.0, "Side of the sun's shadow map."});
+          mres::SettingInfo{"texels", kLeastShadowMapSize, 16384.0, "Side of the shadow map."});
   visitor("exposureCompensation", settings.exposureCompensation,
           mres::SettingInfo{"stops", -10.0, 10.0, "Brightens the tone-mapped picture."});
 }
@@ -45,8 +49,11 @@ class Renderer {
   /// std::runtime_error with a sentence if the device cannot draw pictures of that size.
   const GBufferTextures& drawGeometry(const Camera& camera, glm::ivec2 size);
 
-  /// Lights the G-buffer of the last drawGeometry() into an RGBA16F texture of linear radiance, and draws
-  /// transparent surfaces over it.
+  /// Lights the G-buffer of the last drawGeometry() into an RGBA16F texture of linear radiance: opaque
+  /// surfaces, and the sky behind them.
+  GLuint drawOpaqueLighting(const ScreenEffects& effects);
+
+  /// The same, with transparent surfaces over it, in the same texture.
   GLuint drawLighting(const ScreenEffects& effects);
 
   /// Tone maps the lit picture of the last drawLighting() into an sRGB-encoded RGBA8 texture of the same
@@ -58,14 +65,15 @@ class Renderer {
   [[nodiscard]] const glm::mat4& projection() const;
 
   /// The shadow map of the last drawGeometry().
-  [[nodiscard]] SunShadow sunShadow() const;
+  [[nodiscard]] ShadowMap shadowMap() const;
 
   [[nodiscard]] AmbientLight ambient() const;
 
   /// Lights that are not drawn, the dimmest ones of a scene that has more than the shaders take.
   [[nodiscard]] std::size_t lightsLeftOut() const;
 
-  /// The factor on radiance before the tone curve.
+  /// The factor on radiance that shows the scene well. The tone map multiplies the display's
+  /// exposureCompensation as well.
   [[nodiscard]] float exposure() const;
 
   /// Bytes of the scene and of all targets on the GPU.

@@ -8,22 +8,27 @@ namespace host {
 /// What screen-space effects add to the lighting: textures of the picture's size, 0 for none.
 struct ScreenEffects {
   GLuint accessibility = 0;  ///< red 0..1 multiplies the ambient light
-  GLuint sunVisibility = 0;  ///< red 0..1 multiplies the sun's light, in place of the renderer's own shadows
-  GLuint indirect = 0;       ///< exposed irradiance / pi, in place of the diffuse part of the ambient light
+  GLuint visibility =
+      0;                ///< red 0..1 multiplies the light that casts shadows, in place of the renderer's own
+  GLuint indirect = 0;  ///< irradiance / pi times Renderer::exposure(), in place of diffuse ambient light;
+                        ///< highlights mirror as large a part of the ambient light as arrives so
 };
 
-/// Ambient radiance from straight above and below; in between it is interpolated by the vertical direction.
+/// Ambient radiance that comes from straight above and below; in between it is linear in the vertical
+/// component of the direction.
 struct AmbientLight {
   glm::vec3 above{0.0f};
   glm::vec3 below{0.0f};
 };
 
-/// The sun's shadow map, for effects that filter it themselves.
-struct SunShadow {
-  GLuint map = 0;      ///< GL_DEPTH_COMPONENT24; 0 without a sun, or where none of its light is seen
+/// The shadow map, for effects that filter it themselves.
+struct ShadowMap {
+  GLuint map = 0;  ///< GL_DEPTH_COMPONENT24; 0 if no light casts shadows, or where none of its light is seen
   glm::ivec2 size{0};  ///< texels
-  glm::mat4 shadowFromView{1.0f};  ///< view space to texture coordinates and window depth, 0..1
-  glm::vec3 directionToSun{0.0f};  ///< view space, unit length
+  glm::mat4 shadowFromView{
+      1.0f};  ///< view space to texture coordinates and window depth, 0..1 after division by w
+  glm::vec4 light{
+      0.0f};  ///< view space: unit direction to a directional light and 0, or a spot light's position and 1
 };
 
 }  // namespace host

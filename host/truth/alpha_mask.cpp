@@ -1,6 +1,7 @@
 #include "host/truth/alpha_mask.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace host {
 namespace {
@@ -19,8 +20,12 @@ const Item* itemAt(const std::vector<Item>& items, int index) {
                                                               : nullptr;
 }
 
-// Beyond, float texture coordinates have no fraction left.
-constexpr float kLargestCoordinate = 1e6f;
+/// A place along an image, in texels, such that whole numbers around it are ints: beyond 2^23, floats have no
+/// fraction left. What is no number, as products that overflow may leave, becomes the least.
+float bounded(float texels) {
+  constexpr float kLargest = 0x1p23f;
+  return std::fmin(std::fmax(texels, -kLargest), kLargest);
+}
 
 }  // namespace
 
@@ -39,8 +44,8 @@ bool AlphaMask::isHole(unsigned triangle, float u, float v) const {
 float AlphaMask::alphaAt(glm::vec2 uv) const {
   if (!image_ || image_->pixels.empty()) return material_.baseColor.a;
   const glm::vec2 moved(material_.baseColorTexture.uvTransform * glm::vec3(uv, 1.0f));
-  const glm::vec2 bounded = glm::clamp(moved, -kLargestCoordinate, kLargestCoordinate);
-  const glm::vec2 place = bounded * glm::vec2(image_->size);
+  const glm::vec2 place(bounded(moved.x * static_cast<float>(image_->size.x)),
+                        bounded(moved.y * static_cast<float>(image_->size.y)));
   if (texture_->nearest) return material_.baseColor.a * texelAlpha(glm::floor(place));
   const glm::vec2 low = glm::floor(place - 0.5f);
   const glm::vec2 share = place - 0.5f - low;

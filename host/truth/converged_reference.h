@@ -6,7 +6,6 @@
 
 #include "host/truth/truth.h"
 #include "host/truth/work_observer.h"
-#include "mres/gl/texture.h"
 #include "mres/mres.h"
 
 namespace host {
@@ -28,13 +27,11 @@ class ConvergedReference {
   /// Shader files below `shaderDirectory`, if it isn't empty, win over the embedded ones.
   explicit ConvergedReference(const std::string& shaderDirectory);
 
-  /// The mean of all passes, at the pixels of the quarter level; at all of them in pictures that are too
-  /// small to have one. `observe` is called before each pass.
+  /// The mean of all passes, at a fifteenth of the pixels. `observe` is called before each pass.
   Truth render(const ConvergingPasses& passes, const mres::Frame& frame, const WorkObserver& observe);
 
  private:
   mres::MultiResolution multiResolution_;
-  mres::gl::Texture2D nothingMatters_;  // an importance mask
 };
 
 }  // namespace host

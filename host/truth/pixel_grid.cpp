@@ -6,12 +6,14 @@
 namespace host {
 
 glm::ivec2 PixelGrid::size() const {
-  return (pictureSize - stride / 2 + stride - 1) / stride;
+  const glm::ivec2 period = tile * stride;
+  return pictureSize / period * tile + glm::min(pictureSize % period, glm::ivec2(tile));
 }
 
 glm::ivec2 PixelGrid::pixel(glm::ivec2 point) const {
-  const int rowFromBottom = (size().y - 1 - point.y) * stride + stride / 2;
-  return {point.x * stride + stride / 2, pictureSize.y - 1 - rowFromBottom};
+  const glm::ivec2 fromBottom(point.x, size().y - 1 - point.y);
+  const glm::ivec2 place = fromBottom / tile * tile * stride + fromBottom % tile;
+  return {place.x, pictureSize.y - 1 - place.y};
 }
 
 FloatImage valuesAt(const PixelGrid& grid, const FloatImage& picture) {

@@ -4,14 +4,16 @@
 
 namespace host {
 
-/// Every stride-th pixel of a picture in both directions: columns and rows i * stride + stride / 2, rows
-/// counted from the bottom as OpenGL does. Level 2 of mres is evaluated at those of stride 4 (see
-/// shaders/mres/level.glsl).
+/// A part of a picture's pixels that depends on no content: every stride-th of its tiles in both directions,
+/// the first one at the lower left. mres evaluates its levels at every second, fourth and eighth pixel; with
+/// odd strides a grid meets those and all pixels between them equally often, and so what upsampling gets
+/// wrong as well.
 struct PixelGrid {
   glm::ivec2 pictureSize{0};  ///< pixels
-  int stride = 1;             ///< pixels, at least 1
+  int tile = 1;               ///< pixels a side, at least 1
+  glm::ivec2 stride{1};       ///< tiles, at least 1
 
-  /// How many there are in each direction; 0 where the picture is too small for one.
+  /// How many pixels there are in each direction.
   [[nodiscard]] glm::ivec2 size() const;
 
   /// Column and row in the picture of a grid point, both with rows from the top, as images have them.

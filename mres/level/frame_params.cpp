@@ -6,26 +6,16 @@
 #include <stdexcept>
 
 #include "mres/level/depth_pyramid.h"
+#include "mres/validate.h"
 
 namespace mres {
 namespace {
-
-constexpr int kMaxSize = 16384;
-
-bool isFinite(const glm::mat4& matrix) {
-  for (int column = 0; column < 4; ++column) {
-    for (int row = 0; row < 4; ++row) {
-      if (!std::isfinite(matrix[column][row])) return false;
-    }
-  }
-  return true;
-}
 
 void validate(const Frame& frame) {
   if (frame.depth == 0 || frame.normals == 0) {
     throw std::invalid_argument("Frame::depth and Frame::normals must name textures; one of them is 0.");
   }
-  if (frame.size.x < 1 || frame.size.y < 1 || frame.size.x > kMaxSize || frame.size.y > kMaxSize) {
+  if (!isTextureSize(frame.size)) {
     throw std::invalid_argument("Frame::size must be 1 to 16384 pixels in each direction.");
   }
   if (!isFinite(frame.view) || !isFinite(frame.projection)) {

@@ -1,8 +1,18 @@
 #include "mres/level/frame_textures.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "mres/gl/bound_texture.h"
 
 namespace mres {
+
+// Steps of fixed-point depth are constant, those of floating-point depth at most so large a share of it.
+glm::vec2 depthRounding(const DepthFormat& format) {
+  constexpr int kFloatBits = 24;  // what shaders see of any format
+  return format.floatingPoint ? glm::vec2(0.0f, std::ldexp(1.0f, 1 - kFloatBits))
+                              : glm::vec2(std::ldexp(1.0f, -std::min(format.bits, kFloatBits)), 0.0f);
+}
 
 DepthFormat bindFrameTextures(const PassContext& context, const Frame& frame) {
   constexpr const char* kSize = "Frame::size is";

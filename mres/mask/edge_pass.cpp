@@ -1,6 +1,5 @@
 #include "mres/mask/edge_pass.h"
 
-#include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
 
@@ -15,35 +14,24 @@ float normalDifference2(float degrees, float decodeScale) {
   return difference * difference;
 }
 
-/// The second difference of three rounded depths is off by two steps at most; rasterisers add as much again.
-/// Steps of fixed-point depth are constant, those of floating-point depth proportional to it.
-glm::vec2 depthRounding(const DepthFormat& format) {
-  constexpr int kFloatBits = 24;
-  return format.floatingPoint ? glm::vec2(0.0f, std::ldexp(8.0f, -kFloatBits))
-                              : glm::vec2(std::ldexp(4.0f, -std::min(format.bits, kFloatBits)), 0.0f);
-}
-
 }  // namespace
 
-params::EdgesParams edgesParams(const MaskSettings& settings, const params::FrameParams& frame,
-                                const DepthFormat& depth) {
-  const glm::vec4& l = frame.linearise;
-  return {.depthSlope = {std::abs(l.y * l.z - l.x * l.w), l.z, l.w, 0.0f},
-          .normalDifference2 = normalDifference2(settings.normalThreshold, frame.normalDecode.x),
-          .depthThreshold = settings.depthThreshold,
-          .depthRounding = depthRounding(depth)};
+params::EdgesParams edgesParams(const MaskSettings& settings, const params::FrameParams& frame) {
+  params::EdgesParams params{};
+  params.normalDifference2 = normalDifference2(settings.normalThreshold, frame.normalDecode.x);
+  params.depthThreshold = settings.depthThreshold;
+  return params;
 }
 
 EdgePass::EdgePass(const gl::ShaderLibrary& library)
     : program_(makePassProgram(library, "mres/edges.frag")) {}
 
-void EdgePass::draw(PassContext& context, const MaskSettings& settings, const params::FrameParams& frame,
-                    const DepthFormat& depth) {
+void EdgePass::draw(PassContext& context, const MaskSettings& settings, const params::FrameParams& frame) {
   const gl::Scope scope(context.profiler, "mres.edges");
   const glm::ivec2 size = levelSize(frame.size, 1);
   if (target_.size() != size) target_ = gl::RenderTarget(size, {GL_RG8}, 0, "mres.edges");
 
-  params_.upload(edgesParams(settings, frame, depth));
+  params_.upload(edgesParams(settings, frame));
   params_.bind(kPassBlock);
   glUseProgram(program_.id());
   target_.bind();

@@ -2,7 +2,6 @@
 
 #include "mres/gl/render_target.h"
 #include "mres/gl/uniform_buffer.h"
-#include "mres/level/frame_textures.h"
 #include "mres/level/pass_context.h"
 #include "mres/settings.h"
 #include "shaders/mres/edges_params.h"
@@ -11,8 +10,7 @@
 namespace mres {
 
 /// The thresholds as the shaders have them.
-params::EdgesParams edgesParams(const MaskSettings& settings, const params::FrameParams& frame,
-                                const DepthFormat& depth);
+params::EdgesParams edgesParams(const MaskSettings& settings, const params::FrameParams& frame);
 
 /// Finds the geometry edges of a frame: red normals, green depth, at half resolution (section 3.1 of the
 /// paper).
@@ -21,8 +19,7 @@ class EdgePass {
   explicit EdgePass(const gl::ShaderLibrary& library);
 
   /// Needs depth and normals bound to their units and the frame's block bound.
-  void draw(PassContext& context, const MaskSettings& settings, const params::FrameParams& frame,
-            const DepthFormat& depth);
+  void draw(PassContext& context, const MaskSettings& settings, const params::FrameParams& frame);
 
   /// GL_RG8, ceil(size / 2).
   [[nodiscard]] const gl::Texture2D& edges() const { return target_.color(); }

@@ -29,9 +29,9 @@ MinMaxPass::MinMaxPass(const gl::ShaderLibrary& library)
       edgesProgram_(makeProgram(library, "mres/min_max_edges.frag")) {}
 
 void MinMaxPass::draw(PassContext& context, const MaskSettings& settings, const params::FrameParams& frame,
-                      const DepthFormat& depth, const LevelPlan& plan) {
+                      const LevelPlan& plan) {
   const gl::Scope scope(context.profiler, "mres.edges");
-  params_.upload(edgesParams(settings, frame, depth));
+  params_.upload(edgesParams(settings, frame));
   params_.bind(kPassBlock);
   for (int level = 0; level < plan.levels.back().index; ++level) drawRanges(context, level, frame.size);
   for (std::size_t i = 0; i + 1 < plan.levels.size(); ++i) {

@@ -4,7 +4,6 @@
 
 #include "mres/gl/render_target.h"
 #include "mres/gl/uniform_buffer.h"
-#include "mres/level/frame_textures.h"
 #include "mres/level/pass_context.h"
 #include "mres/plan/level_plan.h"
 #include "mres/settings.h"
@@ -23,7 +22,7 @@ class MinMaxPass {
 
   /// Needs depth and normals bound to their units and the frame's block bound.
   void draw(PassContext& context, const MaskSettings& settings, const params::FrameParams& frame,
-            const DepthFormat& depth, const LevelPlan& plan);
+            const LevelPlan& plan);
 
   /// Of a planned level but the last: GL_RG8, of the resolution of its mask; red normals, green depth.
   [[nodiscard]] const gl::Texture2D& edges(int level) const { return levels_.at(slot(level)).edges.color(); }

@@ -3,22 +3,20 @@
 namespace mres {
 namespace {
 
-const gl::Texture2D& drawGeometryEdges(const PlannedFrame& planned, const params::FrameParams& params,
-                                       DepthFormat depth) {
+const gl::Texture2D& drawGeometryEdges(const PlannedFrame& planned, const params::FrameParams& params) {
   const MaskSettings& settings = planned.settings.mask;
   if (settings.minMaxMips) {
-    planned.shared.minMax.draw(planned.context, settings, params, depth, planned.plan);
+    planned.shared.minMax.draw(planned.context, settings, params, planned.plan);
     return planned.shared.minMax.edges(0);
   }
-  planned.shared.edges.draw(planned.context, settings, params, depth);
+  planned.shared.edges.draw(planned.context, settings, params);
   return planned.shared.edges.edges();
 }
 
-EdgeImages drawEdges(const PlannedFrame& planned, const params::FrameParams& params, DepthFormat depth) {
+EdgeImages drawEdges(const PlannedFrame& planned, const params::FrameParams& params) {
   EdgeImages edges;
   PreviewPass& preview = planned.passes.preview;
-  if (!preview || planned.settings.mask.geometryAlways)
-    edges.geometry = &drawGeometryEdges(planned, params, depth);
+  if (!preview || planned.settings.mask.geometryAlways) edges.geometry = &drawGeometryEdges(planned, params);
   if (!preview) return edges;
   preview.draw(planned.context, planned.settings.mask, params.size, edges.geometry);
   edges.effect = &preview.edges();
@@ -42,9 +40,8 @@ MaskSources maskSources(const PlannedFrame& planned, const EdgeImages& edges, co
 
 }  // namespace
 
-EdgeImages drawMasks(const PlannedFrame& planned, const Frame& frame, const params::FrameParams& params,
-                     DepthFormat depth) {
-  const EdgeImages edges = drawEdges(planned, params, depth);
+EdgeImages drawMasks(const PlannedFrame& planned, const Frame& frame, const params::FrameParams& params) {
+  const EdgeImages edges = drawEdges(planned, params);
   planned.shared.masks.draw(planned.context, maskSources(planned, edges, frame), planned.plan);
   return edges;
 }

@@ -2,14 +2,12 @@
 
 #include "mres/debug/debug_view_pass.h"
 #include "mres/level/frame_params.h"
-#include "mres/level/frame_textures.h"
 #include "mres/render/planned_frame.h"
 
 namespace mres {
 
 /// Finds the edges that the effect needs, joins them with the host's importance mask, and makes the masks of
 /// all levels but the coarsest. Needs depth, normals, the effect and the frame's block bound.
-EdgeImages drawMasks(const PlannedFrame& planned, const Frame& frame, const params::FrameParams& params,
-                     DepthFormat depth);
+EdgeImages drawMasks(const PlannedFrame& planned, const Frame& frame, const params::FrameParams& params);
 
 }  // namespace mres

@@ -17,20 +17,24 @@ struct Receiver {
     vec2 slope;      // d depth / d place on the receiver's plane
     float perRise;   // window depth per metre above the plane
     float reach;     // share of the filter's radius that the plane's slope allows
+    float steeper;   // share of the plane's own slope that `slope` lacks, 0..1
     vec2 perMetre;   // texture coordinates per metre across the light
     float distance;  // w: from a spot light, 1 for parallel light
+    float uncertainty;  // metres above the plane by which the rounding of the frame's depth may move the point
     bool facesLight;
     bool inMap;
 };
 
 // Where light grazes a surface, its plane soon rises above whatever may block the light: the filter's disk shrinks with the
-// slope (the tangent of the angle between light and normal), down to a texel, and for that the slope itself is limited.
+// slope (the tangent of the angle between light and normal), down to a texel, and for that the slope itself is limited. Where
+// the limit takes something away, from 88 degrees on, the disk moves off the surface instead, see offPlane().
 const float kSteepestSlope = 4.0;
 const float kSteepestTexelSlope = 32.0;
 
 // The plane n . x = const around a point: with J the derivatives of place and depth by the view-space position,
 // J_depth = slope.x J_u + slope.y J_v + perRise n, solved by Cramer's rule.
-Receiver receiverAt(vec3 position, vec3 normal) {
+Receiver receiverAt(Surface surface) {
+    vec3 position = surface.position, normal = surface.normal;
     vec4 point = vec4(position, 1.0);
     float w = dot(shadowW, point);
     vec3 window = vec3(dot(shadowU, point), dot(shadowV, point), dot(shadowDepth, point)) / w;
@@ -49,7 +53,9 @@ Receiver receiverAt(vec3 position, vec3 normal) {
     float steepness = length(receiver.slope * receiver.perMetre) / length(byDepth);
     receiver.reach = min(kSteepestSlope / steepness, 1.0);
     receiver.slope *= min(kSteepestTexelSlope / steepness, 1.0);
+    receiver.steeper = max(1.0 - kSteepestTexelSlope / steepness, 0.0);
     receiver.distance = w;
+    receiver.uncertainty = surface.depthStep * abs(dot(normal, normalize(position)));
     vec3 toLight = light.w == 0.0 ? light.xyz : light.xyz - position;
     receiver.facesLight = dot(toLight, normal) > 0.0;
     receiver.inMap = w > 0.0 && all(greaterThanEqual(window, vec3(0.0))) && all(lessThanEqual(window, vec3(1.0)));
@@ -64,22 +70,40 @@ struct Disk {
     float depth;           // of the plane at the centre, less the bias
 };
 
+// From the centre of a texel to its corner.
+const float kTexelReach = 0.75;
+
+// How much nearer to the light than a disk's plane whatever blocks must be, in window depth; `reach` is the disk's radius in
+// texels.
+float depthBias(Receiver receiver, float reach) {
+    float metresPerTexel = 1.0 / (receiver.perMetre.x * shadowMapSize.x);
+    return (bias * reach * metresPerTexel + receiver.uncertainty) * receiver.perRise;
+}
+
+// How far to move a disk across the light, in texels. A plane with slope s that is taken for one with slope c shadows itself
+// at a distance r by (s - c) r; moved by m towards where the plane is deeper, off its lit side, it gains s m.
+vec2 offPlane(Receiver receiver, vec2 depthFromTexels, float reach) {
+    if (receiver.steeper == 0.0) return vec2(0.0);
+    return normalize(depthFromTexels) * (receiver.steeper * (reach + kTexelReach));
+}
+
 Disk diskAround(Receiver receiver, float radius, float azimuth) {
     vec2 reach = max(radius * receiver.reach * receiver.perMetre * shadowMapSize, vec2(1.0));
     float c = cos(azimuth), s = sin(azimuth);
     Disk disk;
-    disk.centre = receiver.place * shadowMapSize;
     disk.texelsFromUnit = mat2(c * reach.x, s * reach.y, -s * reach.x, c * reach.y);
     disk.depthFromTexels = receiver.slope / shadowMapSize;
-    disk.depth = receiver.depth - bias * reach.x / (receiver.perMetre.x * shadowMapSize.x) * receiver.perRise;
+    disk.centre = receiver.place * shadowMapSize + offPlane(receiver, disk.depthFromTexels, reach.x);
+    disk.depth = receiver.depth - depthBias(receiver, reach.x);
     return disk;
 }
 
-// Depth of the shadow map at a sample of the disk, less that of the receiver's plane: negative for blockers.
+// Depth of the shadow map at a sample of the disk, less that of the receiver's plane: negative for blockers. Where the map
+// shows nothing it is 1, and what the plane has beyond the map's range is not blocked by that.
 float heightInMap(Disk disk, vec2 unitSample, out float mapDepth) {
     vec2 texel = floor(clamp(disk.centre + disk.texelsFromUnit * unitSample, vec2(0.0), shadowMapSize - 1.0));
     mapDepth = texelFetch(shadowMap, ivec2(texel), 0).r;
-    return mapDepth - (disk.depth + dot(disk.depthFromTexels, texel + 0.5 - disk.centre));
+    return mapDepth - min(disk.depth + dot(disk.depthFromTexels, texel + 0.5 - disk.centre), 1.0);
 }
 
 bool isLit(Disk disk, vec2 unitSample) {
@@ -94,9 +118,9 @@ float penumbraRadius(Receiver receiver, float azimuth) {
     for (int i = 0; i < SOFT_SHADOWS_BLOCKER_SAMPLES; ++i) {
         float mapDepth;
         float height = heightInMap(disk, blockerSamples[i].xy, mapDepth);
-        float blocks = height < 0.0 ? 1.0 : 0.0;
-        sum += blocks * (mapDistance.y == 0.0 ? -height : mapDistance.y / (mapDepth - mapDistance.x));
-        count += blocks;
+        if (height >= 0.0) continue;  // and may be infinitely far from the light
+        sum += mapDistance.y == 0.0 ? -height : mapDistance.y / (mapDepth - mapDistance.x);
+        count += 1.0;
     }
     if (count == 0.0) return 0.0;
     float mean = sum / count;
@@ -114,7 +138,7 @@ bool isDecided(Surface surface, Receiver receiver, out float visibility) {
 }
 
 vec4 shade(Surface surface) {
-    Receiver receiver = receiverAt(surface.position, surface.normal);
+    Receiver receiver = receiverAt(surface);
     float visibility;
     if (isDecided(surface, receiver, visibility)) return vec4(visibility);
     float azimuth = azimuthOf(surface.levelPixel);
@@ -130,15 +154,20 @@ vec4 shade(Surface surface) {
 }
 
 // The least and the largest value that shade() may have here, by few samples: equal where the light is seen wholly or not
-// at all.
+// at all. With PCSS shade()'s disk may be as small as a texel, and its bias with it: then lower rises block as well.
 vec2 preview(Surface surface) {
-    Receiver receiver = receiverAt(surface.position, surface.normal);
+    Receiver receiver = receiverAt(surface);
     float visibility;
     if (isDecided(surface, receiver, visibility)) return vec2(visibility);
     Disk disk = diskAround(receiver, filterRadius, azimuthOf(surface.levelPixel));
-    int lit = 0;
+    float leastDepth = receiver.depth - depthBias(receiver, 1.0);
+    float blockingHeight = penumbraScale == 0.0 ? 0.0 : max(leastDepth - disk.depth, 0.0);
+    bool someLit = false, someBlocked = false;
     for (int i = 0; i < SOFT_SHADOWS_PREVIEW_SAMPLES; ++i) {
-        if (isLit(disk, previewSamples[i].xy)) ++lit;
+        float mapDepth;
+        float height = heightInMap(disk, previewSamples[i].xy, mapDepth);
+        someLit = someLit || height >= 0.0;
+        someBlocked = someBlocked || height < blockingHeight;
     }
-    return vec2(lit == SOFT_SHADOWS_PREVIEW_SAMPLES ? 1.0 : 0.0, lit == 0 ? 0.0 : 1.0);
+    return vec2(someBlocked ? 0.0 : 1.0, someLit ? 1.0 : 0.0);
 }

@@ -22,6 +22,9 @@ UNIFORM_BLOCK(SoftShadowsParams) {
                           // the light in metres; 0: no PCSS
     float bias;           // share of the filter's radius by which a blocker must rise above the receiver's plane
     int sampleCount;      // 1..SOFT_SHADOWS_MAX_SAMPLES
+};
+
+UNIFORM_BLOCK(SoftShadowsSamples) {
     vec4 samples[SOFT_SHADOWS_MAX_SAMPLES / 2];                // points in the unit disk, two each
     vec4 blockerSamples[SOFT_SHADOWS_BLOCKER_SAMPLES];         // one each
     vec4 previewSamples[SOFT_SHADOWS_PREVIEW_SAMPLES];

@@ -7,25 +7,28 @@
 // d^2 is the solid angle of the patch, and each of our N points already stands for the share of the hemisphere that
 // its direction does: what is seen counts 1/N, cos(receiver) lies in the density of the directions, and cos(sender)
 // only decides whether the sender faces us. So no distance is divided by, nothing is brighter than the brightest that
-// is seen (no fireflies), and where all radiance is 1 the result is at most 1.
+// is seen, and where all radiance is 1 the result is at most 1.
+//
+// A point far from the pixel reads a mip of depth, a texel of which has the place and the normal of a single pixel. What
+// is sent is the mean over all pixels of the texel that face as that one does (see ssgi_senders.frag): a highlight of one
+// pixel counts as one pixel wherever it is, neither a thousandfold nor not at all.
 #include "effects/common/hemisphere.glsl"
 #include "effects/ssgi_params.h"
 
 uniform sampler2D morePoints;  // those that `points` does not hold
-uniform sampler2D litPicture;  // radiance, full resolution
+uniform sampler2D senders;     // mean radiance; level l goes with mip l + 1 of depth
 
-const float kLargestFloat = 3.402823466e38;
-
-// The lit picture is the host's and may hold anything: what is no number, infinite or negative sends nothing.
-vec3 sanitised(vec3 radiance) {
-    vec3 bounded = clamp(radiance * radianceScale, 0.0, maxRadiance);
-    return mix(vec3(0.0), bounded, lessThanEqual(abs(radiance), vec3(kLargestFloat)));
+// Whether the surface that is seen shows its front to the hemisphere's origin. For that its normal needs neither unit length
+// nor to be turned into view space.
+bool faces(Sight sender) {
+    vec3 normal = texelFetch(normalTexture, sender.pixel, 0).xyz * normalDecode.x + normalDecode.y;
+    return dot(normal, sender.toSurface * mat3(viewFromNormals)) < 0.0;
 }
 
-// What the surface that is seen sends to the hemisphere's origin: nothing, if that lies behind it.
+// What it sends there. The nearest senders, at the full resolution, share a texel of half the resolution.
 vec3 sentBy(Sight sender) {
-    bool faces = dot(viewNormal(sender.pixel), sender.toSurface) < 0.0;
-    return faces ? sanitised(texelFetch(litPicture, sender.pixel, 0).rgb) : vec3(0.0);
+    ivec2 texel = sender.mip == 0 ? sender.texel >> 1 : sender.texel;
+    return faces(sender) ? texelFetch(senders, texel, max(sender.mip - 1, 0)).rgb : vec3(0.0);
 }
 
 // Sums over the points of a hemisphere.
@@ -37,7 +40,7 @@ struct Arrived {
 
 void addPoint(vec4 point, Hemisphere over, vec3 upOnAxes, inout Arrived arrived) {
     Sight sight = lookAt(point, over);
-    if (sight.blocked > 0.0) arrived.sent += sight.blocked * sentBy(sight);
+    if (sight.blocked > 0.0 && bounce > 0.0) arrived.sent += sight.blocked * sentBy(sight);
     float open = 1.0 - sight.blocked;
     arrived.open += open;
     arrived.height += open * dot(upOnAxes, point.xyz) * inversesqrt(dot(point.xyz, point.xyz));

@@ -7,7 +7,7 @@ UNIFORM_BLOCK(EnvironmentParams) {
   vec4 skyZenith;      // rgb, radiance
   vec4 skyHorizon;     // rgb, radiance
   vec4 skyGround;      // rgb, radiance
-  vec4 ambientAbove;   // rgb, ambient radiance that surfaces facing up receive
-  vec4 ambientBelow;   // rgb, the same for those facing down
+  vec4 ambientAbove;   // rgb, ambient radiance that comes from straight above
+  vec4 ambientBelow;   // rgb, the same from straight below
 };
 END_PARAMS

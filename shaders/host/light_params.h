@@ -1,4 +1,4 @@
-// The lights without shadows, as KHR_lights_punctual defines them.
+// The lights, as KHR_lights_punctual defines them. The first one may cast shadows.
 #pragma once
 #include "common/params.h"
 
@@ -10,8 +10,8 @@ UNIFORM_BLOCK(LightParams) {
   vec4 lightIntensity[MAX_LIGHTS];  // rgb candela (lux for directional lights), w = scale of the cone's cosine
   vec4 lightDirection[MAX_LIGHTS];  // xyz the way the light travels, w = offset of the cone's cosine
   int lightCount;
+  int shadowedLights;               // 1 if the first one does, else 0
   int lightPadding0;
   int lightPadding1;
-  int lightPadding2;
 };
 END_PARAMS

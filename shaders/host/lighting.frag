@@ -10,15 +10,34 @@ uniform sampler2D geometricNormalTexture;
 uniform sampler2D materialTexture;
 uniform sampler2D emissiveTexture;
 uniform sampler2D accessibilityTexture;
-uniform sampler2D sunVisibilityTexture;
+uniform sampler2D visibilityTexture;
 uniform sampler2D indirectTexture;
-uniform bool hasIndirect;       // else diffuse ambient light is dimmed by the accessibility
+uniform bool hasIndirect;       // else ambient light is dimmed by the accessibility
 uniform float indirectScale;    // takes the exposure back
-uniform bool hasSunVisibility;  // else the sun's shadows are looked up here
+uniform bool hasVisibility;     // else shadows are looked up here
 
 out vec4 outRadiance;
 
+// No radiance to speak of: a scene may be without ambient light.
+const float kDark = 1e-6;
+
 vec3 unpackNormal(vec4 packedNormal) { return normalize(packedNormal.xyz * 2.0 - 1.0); }
+
+// ITU-R BT.709.
+float luminance(vec3 color) { return dot(color, vec3(0.2126, 0.7152, 0.0722)); }
+
+void receiveAmbient(inout ShadingPoint point, float accessibility) {
+    point.indirect = diffuseAmbient(point.normal) * accessibility;
+    point.accessibility = accessibility;
+}
+
+// `arriving` is irradiance / pi by the geometric normal; the normal map changes it as it changes ambient light. Highlights
+// mirror as large a part of the ambient light as arrives.
+void receiveIndirect(inout ShadingPoint point, vec3 arriving) {
+    vec3 unoccluded = diffuseAmbient(point.geometricNormal);
+    point.indirect = arriving * (diffuseAmbient(point.normal) + kDark) / (unoccluded + kDark);
+    point.accessibility = clamp(luminance(arriving) / max(luminance(unoccluded), kDark), 0.0, 1.0);
+}
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -37,9 +56,10 @@ void main() {
     point.geometricNormal = unpackNormal(texelFetch(geometricNormalTexture, pixel, 0));
     point.roughness = material.r;
     point.metallic = material.g;
-    point.sunVisibility = hasSunVisibility ? texelFetch(sunVisibilityTexture, pixel, 0).r : kLookUpShadow;
-    float accessibility = texture(accessibilityTexture, uv).r;  // one white texel where there is no occlusion
-    point.indirect = hasIndirect ? texelFetch(indirectTexture, pixel, 0).rgb * indirectScale
-                                 : ambientRadiance(point.normal) * accessibility;
-    outRadiance = vec4(shade(point, texelFetch(emissiveTexture, pixel, 0).rgb, accessibility), 1.0);
+    point.visibility = hasVisibility ? texelFetch(visibilityTexture, pixel, 0).r : kLookUpShadow;
+    if (hasIndirect)
+        receiveIndirect(point, texelFetch(indirectTexture, pixel, 0).rgb * indirectScale);
+    else
+        receiveAmbient(point, texture(accessibilityTexture, uv).r);  // one white texel where there is no occlusion
+    outRadiance = vec4(shade(point, texelFetch(emissiveTexture, pixel, 0).rgb), 1.0);
 }

@@ -1,4 +1,4 @@
-// Lights without shadows, with the falloffs of KHR_lights_punctual.
+// The falloffs of KHR_lights_punctual.
 #include "host/light_params.h"
 
 // Inverse square, windowed so that it ends smoothly at the range.

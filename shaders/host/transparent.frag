@@ -21,7 +21,8 @@ void main() {
     point.geometricNormal = surface.geometricNormal;
     point.roughness = surface.roughness;
     point.metallic = surface.metallic;
-    point.sunVisibility = kLookUpShadow;
-    point.indirect = ambientRadiance(point.normal);
-    outRadiance = vec4(shade(point, surface.emissive, 1.0), surface.alpha);
+    point.visibility = kLookUpShadow;
+    point.indirect = diffuseAmbient(point.normal);
+    point.accessibility = 1.0;
+    outRadiance = vec4(shade(point, surface.emissive), surface.alpha);
 }

@@ -5,7 +5,6 @@
 // The second derivative is taken of window depth, which is affine in screen space on every plane (perspective or
 // orthographic), so that a plane seen at any angle is exactly zero. It becomes metres between the nearest and the
 // farthest surface around.
-#include "mres/frame.glsl"
 #include "mres/depth_step.glsl"
 
 out vec2 fragment;

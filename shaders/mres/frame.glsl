@@ -8,6 +8,25 @@ float viewDepthOf(float windowDepth) {
     return (linearise.x + linearise.y * windowDepth) / (linearise.z + linearise.w * windowDepth);
 }
 
+// |d view depth / d window depth| is depthSlope() / slopeRoot(window depth)^2.
+float depthSlope() {
+    return abs(linearise.y * linearise.z - linearise.x * linearise.w);
+}
+
+float slopeRoot(float windowDepth) {
+    return abs(linearise.z + linearise.w * windowDepth);
+}
+
+float depthRoundingAt(float windowDepth) {
+    return depthRounding.x + depthRounding.y * windowDepth;
+}
+
+// Metres of view depth by which rounding may move a surface.
+float viewDepthRoundingAt(float windowDepth) {
+    float root = slopeRoot(windowDepth);
+    return depthRoundingAt(windowDepth) * depthSlope() / (root * root);
+}
+
 // View-space position of a point given by its pixel coordinates (centres at + 0.5) and view depth.
 vec3 unproject(vec2 pixel, float viewDepth) {
     vec2 xy = viewDepth * (pixel * unprojectScaled.xy + unprojectScaled.zw)

@@ -16,10 +16,13 @@ UNIFORM_BLOCK(FrameParams) {
     ivec2 size;              // pixels, full resolution
     vec2 filterDepth;        // filter depth = view depth * .x + .y: positive, in the range of half floats
     vec2 filterTolerance;    // distance off its plane at which the filter still trusts a neighbour = view depth * .x + .y
+    vec2 depthRounding;      // a step of the depth texture's format = .x + .y * window depth
     float backgroundDepth;   // window depth of the far plane
     float pixelsPerMetre;    // where clip w is 1
     int pyramidLevels;       // mips of the depth pyramid
-    float framePadding;
+    float framePadding0;
+    float framePadding1;
+    float framePadding2;
 };
 
 END_PARAMS

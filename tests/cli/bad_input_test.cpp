@@ -165,6 +165,14 @@ TEST_F(BadInput, ABrokenReportIsNotResumedFrom) {
   }
 }
 
+TEST_F(BadInput, WithoutResultsThereIsNothingToReport) {
+  EXPECT_THAT(failureOf({"bench", "--report", "-o", output_ / "bench"}, 1),
+              AllOf(HasSubstr("there is no such file"), HasSubstr("leave out --report")));
+  writeFile(input_.path() / "results.json", "[]");
+  EXPECT_THAT(failureOf({"bench", "--report", "-o", input_.path().string()}, 1), HasSubstr("not JSON"));
+  EXPECT_THAT(failureOf({"bench", "--report", "--resume"}, 2), HasSubstr("--resume"));
+}
+
 TEST_F(BadInput, WithoutAnEffectThereIsNothingToTime) {
   EXPECT_THAT(renderFailure({"--effect", "none", "--repeat", "2"}, 2), HasSubstr("nothing to time"));
 }

@@ -42,6 +42,9 @@ testing::AssertionResult matchesGolden(const host::FloatImage& picture, const st
     host::writeImage(path, picture);
     return testing::AssertionSuccess();
   }
+  if (!fs::exists(path)) {
+    return testing::AssertionFailure() << name << " has no golden picture; MRES_UPDATE_GOLDEN=1 makes it";
+  }
   const host::FloatImage golden = host::readImage(path);
   if (golden.size != picture.size || golden.channels != picture.channels) {
     return testing::AssertionFailure()

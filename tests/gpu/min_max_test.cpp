@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "mres/level/frame_params.h"
+#include "mres/level/frame_textures.h"
 #include "mres/mask/mask_pass.h"
 #include "mres/mask/min_max_pass.h"
 #include "tests/support/allocations.h"
@@ -61,11 +62,11 @@ class MinMax : public GlTest {
   MinMax() { context_.library = shaderLibrary(); }
 
   void draw(const SyntheticGBuffer& gbuffer, const LevelPlan& plan, const MaskSettings& settings = {}) {
-    const params::FrameParams params = frameParams(gbuffer.frame());
+    params::FrameParams params = frameParams(gbuffer.frame());
+    params.depthRounding = depthRounding(bindFrameTextures(context_, gbuffer.frame()));
     frameBlock_.upload(params);
     frameBlock_.bind(kFrameBlock);
-    const DepthFormat depth = bindFrameTextures(context_, gbuffer.frame());
-    pass_.draw(context_, settings, params, depth, plan);
+    pass_.draw(context_, settings, params, plan);
   }
 
   static void expectLikeReference(const Image& edges, const SyntheticGBuffer& gbuffer, int level,

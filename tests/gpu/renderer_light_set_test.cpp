@@ -14,13 +14,28 @@ Light lamp(float candela) {
   return light;
 }
 
-TEST(LightSetTest, TheBrightestDirectionalLightIsTheSun) {
-  const LightSet lights(
-      {sunAlong({0.0f, -1.0f, 0.0f}, 1.0f), lamp(50.0f), sunAlong({1.0f, 0.0f, 0.0f}, 4.0f)});
-  ASSERT_TRUE(lights.sun().has_value());
-  EXPECT_EQ(lights.sun()->intensity, 4.0f);
-  EXPECT_THAT(lights.others(), testing::SizeIs(2));
-  EXPECT_FALSE(LightSet({lamp(1.0f)}).sun().has_value());
+Light spotlight(float candela) {
+  Light light = lamp(candela);
+  light.type = LightType::spot;
+  return light;
+}
+
+TEST(LightSetTest, TheBrightestDirectionalLightCastsShadows) {
+  const LightSet lights({sunAlong({0.0f, -1.0f, 0.0f}, 1.0f), lamp(50.0f), spotlight(60.0f),
+                         sunAlong({1.0f, 0.0f, 0.0f}, 4.0f)});
+  ASSERT_TRUE(lights.shadowCaster().has_value());
+  EXPECT_EQ(lights.shadowCaster()->intensity, 4.0f);
+  EXPECT_THAT(lights.lights(), testing::SizeIs(4));
+  EXPECT_EQ(lights.params({}).lightIntensity[0].x, 4.0f) << "it comes first";
+  EXPECT_EQ(lights.params({}).shadowedLights, 1);
+}
+
+TEST(LightSetTest, WithoutASunTheBrightestSpotLightCastsShadows) {
+  const LightSet lights({spotlight(2.0f), lamp(50.0f), spotlight(5.0f)});
+  ASSERT_TRUE(lights.shadowCaster().has_value());
+  EXPECT_EQ(lights.shadowCaster()->intensity, 5.0f);
+  EXPECT_FALSE(LightSet({lamp(1.0f)}).shadowCaster().has_value());
+  EXPECT_EQ(LightSet({lamp(1.0f)}).params({}).shadowedLights, 0);
 }
 
 TEST(LightSetTest, LeavesOutBlackLightsAndCountsTheDimmestBeyondItsRoom) {
@@ -28,8 +43,8 @@ TEST(LightSetTest, LeavesOutBlackLightsAndCountsTheDimmestBeyondItsRoom) {
   many[3] = lamp(1.0f);
   many[7] = lamp(0.0f);
   const LightSet lights(many);
-  EXPECT_THAT(lights.others(), testing::SizeIs(MAX_LIGHTS));
-  EXPECT_EQ(lights.others().back().intensity, 2.0f);
+  EXPECT_THAT(lights.lights(), testing::SizeIs(MAX_LIGHTS));
+  EXPECT_EQ(lights.lights().back().intensity, 2.0f);
   EXPECT_EQ(lights.leftOut(), 4U);
 }
 

@@ -3,7 +3,7 @@
 #include "shaders/host/environment_params.h"
 #include "shaders/host/light_params.h"
 #include "shaders/host/material_params.h"
-#include "shaders/host/sun_params.h"
+#include "shaders/host/shadow_params.h"
 #include "shaders/host/tone_map_params.h"
 #include "shaders/host/view_params.h"
 #include "tests/support/gl_test.h"
@@ -46,14 +46,13 @@ std::vector<ParamsBlock> lightBlocks() {
            {MEMBER(EnvironmentParams, skyZenith), MEMBER(EnvironmentParams, skyHorizon),
             MEMBER(EnvironmentParams, skyGround), MEMBER(EnvironmentParams, ambientAbove),
             MEMBER(EnvironmentParams, ambientBelow)}},
-          {"host/sun_params.h",
-           "SunParams",
-           sizeof(params::SunParams),
+          {"host/shadow_params.h",
+           "ShadowParams",
+           sizeof(params::ShadowParams),
            "shadowTexel",
-           {MEMBER(SunParams, worldToShadow), MEMBER(SunParams, directionToSun),
-            MEMBER(SunParams, sunIlluminance), MEMBER(SunParams, shadowTexel),
-            MEMBER(SunParams, shadowTexelMetres), MEMBER(SunParams, sunPadding0),
-            MEMBER(SunParams, sunPadding1)}},
+           {MEMBER(ShadowParams, worldToShadow), MEMBER(ShadowParams, shadowTexel),
+            MEMBER(ShadowParams, shadowTexelMetres), MEMBER(ShadowParams, shadowPadding0),
+            MEMBER(ShadowParams, shadowPadding1)}},
           {"host/light_params.h",
            "LightParams",
            sizeof(params::LightParams),
@@ -61,7 +60,7 @@ std::vector<ParamsBlock> lightBlocks() {
            {ARRAY_MEMBER(LightParams, lightPosition), ARRAY_MEMBER(LightParams, lightIntensity),
             ARRAY_MEMBER(LightParams, lightDirection), MEMBER(LightParams, lightCount),
             MEMBER(LightParams, lightPadding0), MEMBER(LightParams, lightPadding1),
-            MEMBER(LightParams, lightPadding2)}}};
+            MEMBER(LightParams, shadowedLights)}}};
 }
 
 class RendererParamsLayout : public mres::test::GlTest {};

@@ -152,15 +152,70 @@ TEST_F(ShadowTest, TheMapIsKeptWhileNothingChanges) {
   };
   EXPECT_TRUE(drewShadow(fromAbove()));
   EXPECT_FALSE(drewShadow(fromAbove()));
+  EXPECT_FALSE(drewShadow(fromAbove({0.001f, 0.0f, 0.001f}))) << "less than a texel";
   EXPECT_TRUE(drewShadow(fromAbove({5.0f, 0.0f, 0.0f})));
+}
+
+TEST_F(ShadowTest, ASpotLightCastsShadowsIfThereIsNoSun) {
+  Scene scene = darkScene();
+  addFloor(scene);
+  // From 4 m over the floor; the cube's upper side, at 2 m, reaches 0.5 m to each side: its shadow 1 m.
+  place(scene, cube(), chalk(),
+        glm::scale(glm::translate(glm::mat4(1.0f), {0.0f, 1.5f, 0.0f}), glm::vec3(0.5f)));
+  Light spot;
+  spot.type = LightType::spot;
+  spot.intensity = 100.0f;
+  spot.position = {0.0f, 4.0f, 0.0f};
+  spot.outerConeAngle = glm::radians(40.0f);
+  spot.innerConeAngle = glm::radians(39.0f);
+  scene.lights.push_back(spot);
+  Camera camera = lookAt("low", {0.0f, 0.4f, 4.0f}, {0.0f, 0.0f, 0.0f}, 50.0f);
+  camera.farPlane = 50.0f;
+  mres::gl::Profiler off;
+  Renderer renderer(scene, off);
+  const glm::ivec2 size(192, 144);
+  renderer.drawGeometry(camera, size);
+  const FloatImage lit = readTexture(renderer.drawLighting({}), size, 3);
+  const auto at = [&](float x, float z) {
+    const glm::vec4 clip = renderer.projection() * renderer.view() * glm::vec4(x, 0.0f, z, 1.0f);
+    const glm::vec2 fromUpperLeft = glm::vec2(clip.x, -clip.y) / clip.w * 0.5f + 0.5f;
+    return pixel(lit, glm::ivec2(fromUpperLeft * glm::vec2(size))).g;
+  };
+  EXPECT_EQ(at(0.0f, 0.8f), 0.0f);
+  EXPECT_EQ(at(0.85f, 0.0f), 0.0f);
+  EXPECT_GT(at(1.2f, 0.5f), 0.1f);
+  EXPECT_GT(at(0.0f, 1.2f), 0.1f);
+  EXPECT_EQ(at(0.0f, -4.0f), 0.0f) << "outside of the cone";
+  EXPECT_NE(renderer.shadowMap().map, 0U);
+  EXPECT_EQ(renderer.shadowMap().light.w, 1.0f);
+}
+
+TEST_F(ShadowTest, MapsOfEverySizeShowTheSameShadow) {
+  Scene scene = darkScene();
+  addFloor(scene);
+  place(scene, cube(), chalk(), glm::translate(glm::mat4(1.0f), {0.0f, 1.0f, 0.0f}));
+  scene.lights.push_back(sunAlong({1.0f, -1.0f, 0.0f}, 1.0f));
+  mres::gl::Profiler off;
+  for (const int size : {kLeastShadowMapSize, 512, 8192}) {
+    Renderer renderer(scene, off, {.shadowMapSize = size});
+    renderer.drawGeometry(fromAbove(), kSize);
+    const FloatImage seen = visibility(readTexture(renderer.drawLighting({}), kSize, 3));
+    const float metresPerPixel = 2.0f * 12.0f * std::tan(glm::radians(20.0f)) / static_cast<float>(kSize.y);
+    const auto at = [&](float x) {
+      return pixel(seen, glm::ivec2(glm::vec2(x, 0.0f) / metresPerPixel + glm::vec2(kSize) * 0.5f)).g;
+    };
+    EXPECT_LT(at(1.7f), 0.05f) << size;
+    EXPECT_GT(at(-2.0f), 0.95f) << size;
+    EXPECT_GT(at(3.7f), 0.95f) << size;
+  }
 }
 
 constexpr int kMapSize = 1024;
 
-std::optional<ShadowFit> fitTo(const Camera& camera, const Bounds& scene) {
+std::optional<ShadowFit> fitTo(const Camera& camera, const Bounds& scene, float reach = 0.0f) {
   const CameraView view(camera, kSize);
   return fitShadow(camera, view, static_cast<float>(kSize.x) / static_cast<float>(kSize.y), scene,
-                   glm::normalize(glm::vec3(0.4f, 1.0f, 0.2f)), kMapSize);
+                   glm::normalize(glm::vec3(0.4f, 1.0f, 0.2f)), {kMapSize, reach});
 }
 
 TEST(ShadowFitTest, CoversWhatIsSeenAndEveryCaster) {
@@ -169,7 +224,7 @@ TEST(ShadowFitTest, CoversWhatIsSeenAndEveryCaster) {
   const auto fit = fitTo(camera, room);
   ASSERT_TRUE(fit.has_value());
   const CameraView view(camera, kSize);
-  const glm::mat4 toMap = fit->clipMatrix(camera.position);
+  const glm::mat4 toMap = fit->view(kMapSize).clipMatrix(camera.position);
   for (int x = -20; x <= 20; ++x) {
     for (int z = -40; z <= 40; ++z) {
       const glm::vec3 point = 0.5f * glm::vec3(x, 0, z) - camera.position;
@@ -195,10 +250,24 @@ TEST(ShadowFitTest, MovesByWholeTexels) {
     const auto moved = fitTo(camera, ground);
     ASSERT_TRUE(moved.has_value());
     EXPECT_EQ(moved->extent, first->extent);
+    EXPECT_EQ(moved->nearest, first->nearest);
+    EXPECT_EQ(moved->farthest, first->farthest);
     const glm::dvec2 texels = (moved->corner - first->corner) / (first->extent / kMapSize);
     EXPECT_NEAR(texels.x, std::round(texels.x), 1e-6);
     EXPECT_NEAR(texels.y, std::round(texels.y), 1e-6);
   }
+}
+
+TEST(ShadowFitTest, CoversAsMuchMoreAsFiltersReach) {
+  const Bounds room{{-10.0f, 0.0f, -20.0f}, {10.0f, 6.0f, 20.0f}};
+  const Camera camera = lookAt("", {1.0f, 2.0f, 5.0f}, {0.0f, 1.0f, -5.0f}, 60.0f);
+  const auto fit = fitTo(camera, room);
+  const auto wide = fitTo(camera, room, 3.0f);
+  ASSERT_TRUE(fit && wide);
+  constexpr double kLargestStep = 1.125;  // the map without a reach may have been as much too large
+  EXPECT_GT(wide->extent, fit->extent / kLargestStep + 6.0);
+  EXPECT_LT(wide->corner.x, fit->corner.x);
+  EXPECT_LT(wide->corner.y, fit->corner.y);
 }
 
 TEST(ShadowFitTest, IsNothingWhereNothingIsSeen) {

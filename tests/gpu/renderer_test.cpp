@@ -80,9 +80,11 @@ TEST_F(RendererFacadeTest, RefusesImpossibleSizesWithASentence) {
                 testing::ThrowsMessage<std::runtime_error>(
                     testing::HasSubstr("cannot be drawn; this OpenGL device")));
   }
-  EXPECT_THAT(
-      [&] { const Renderer vast(smallScene(), profiler(), {.shadowMapSize = 1 << 20}); },
-      testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr("A shadow map of 1048576 texels")));
+  for (const int texels : {1 << 20, 16, 0}) {
+    EXPECT_THAT([&] { const Renderer odd(smallScene(), profiler(), {.shadowMapSize = texels}); },
+                testing::ThrowsMessage<std::runtime_error>(
+                    testing::HasSubstr("A shadow map of " + std::to_string(texels) + " texels")));
+  }
 }
 
 TEST(FrustumTest, KeepsWhatMayBeSeenAndCullsWhatIsOutside) {

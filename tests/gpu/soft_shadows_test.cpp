@@ -3,9 +3,11 @@
 
 #include <cmath>
 #include <glm/gtc/matrix_access.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <gmock/gmock.h>
 
 #include "effects/soft_shadows/disk_samples.h"
+#include "tests/support/allocations.h"
 #include "tests/support/gl_test.h"
 #include "tests/support/mask_bench.h"
 #include "tests/support/pictures.h"
@@ -22,13 +24,13 @@ const glm::ivec2 kMapSize(512, 512);
 class SoftShadowsTest : public GlTest {
  protected:
   Image render(const RayCaster& scene, const SyntheticLight& light, const SoftShadowSettings& settings,
-               Technique technique = Technique::full) {
-    const SyntheticGBuffer gbuffer(kSize, perspective(kSize), scene);
+               glm::ivec2 size = kSize) {
+    const SyntheticGBuffer gbuffer(size, perspective(size), scene);
     const SyntheticShadow shadow(scene, light, kMapSize);
-    multiResolution_.settings().technique = technique;
+    multiResolution_.settings().technique = Technique::full;
     effect_.setSettings(settings);
     effect_.setInputs(shadow.inputs());
-    return {kSize, 1, renderPicture(multiResolution_, effect_, gbuffer.frame())};
+    return {size, 1, renderPicture(multiResolution_, effect_, gbuffer.frame())};
   }
 
   MultiResolution multiResolution_;
@@ -43,7 +45,7 @@ glm::dvec3 atAngle(double degrees, double azimuth) {
 TEST_F(SoftShadowsTest, ALitPlaneIsLitAtEveryAngle) {
   const RayCaster wall = plane({0.0, 0.0, 1.0}, -5.0);
   for (const bool pcss : {false, true}) {
-    for (const double degrees : {0.0, 20.0, 45.0, 60.0, 75.0, 85.0, 88.0}) {
+    for (const double degrees : {0.0, 20.0, 45.0, 60.0, 75.0, 85.0, 88.0, 88.5, 89.0, 89.9}) {
       for (const double azimuth : {0.0, 0.7, 2.0, 4.0}) {
         const SyntheticLight sun = parallelLight(atAngle(degrees, azimuth), {0.0, 0.0, -5.0}, 8.0f);
         const Image image =
@@ -62,11 +64,8 @@ RayCaster floorWithBox() {
   return nearest({plane({0.0, 0.0, 1.0}, -6.0), box({-1.0, -1.0, -7.0}, {1.0, 1.0, -5.0})});
 }
 
-/// The pixel at which a point is seen.
-glm::ivec2 pixelAt(glm::dvec3 position) {
-  const glm::dvec4 clip = glm::dmat4(perspective(kSize)) * glm::dvec4(position, 1.0);
-  const glm::ivec2 pixel((glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(kSize));
-  return pixel;
+glm::ivec2 pixelAt(glm::dvec3 position, glm::ivec2 size = kSize) {
+  return pixelOf(perspective(size), size, position);
 }
 
 TEST_F(SoftShadowsTest, ABoxIsDarkAtItsContactAndItsShadowEndsWhereGeometrySays) {
@@ -78,6 +77,77 @@ TEST_F(SoftShadowsTest, ABoxIsDarkAtItsContactAndItsShadowEndsWhereGeometrySays)
     for (const double x : {-2.4, -3.0, 1.4}) EXPECT_EQ(image.at(pixelAt({x, 0.0, -6.0})), 1.0f) << x;
     EXPECT_EQ(image.at(pixelAt({0.0, 0.0, -5.0})), 1.0f) << "the box's top";
   }
+}
+
+TEST_F(SoftShadowsTest, AShadowBeginsAtTheContact) {
+  // The box's side at x = -1 is seen down to the floor, where a pixel is less than two centimetres, a texel
+  // one.
+  const RayCaster scene = nearest({plane({0.0, 0.0, 1.0}, -6.0), box({-3.0, -1.0, -7.0}, {-1.0, 1.0, -5.0})});
+  const glm::ivec2 size = 5 * kSize;
+  const SyntheticLight sun = parallelLight({-1.0, 0.0, 1.0}, {-1.0, 0.0, -6.0}, 2.0f);
+  for (const bool pcss : {false, true}) {
+    const Image image = render(scene, sun, {.filterRadius = 0.1f, .contactHardening = pcss}, size);
+    for (const double x : {-0.97, -0.95, -0.9}) {
+      EXPECT_LT(image.at(pixelAt({x, 0.0, -6.0}, size)), 0.02f) << x << ", PCSS " << pcss;
+    }
+  }
+}
+
+TEST_F(SoftShadowsTest, ASpotLightCastsShadowsWherePenumbrasFollowItsSize) {
+  // From two metres over the floor; the blocker, at half of the height, ends at x = 0.5: its shadow at x = 1.
+  const RayCaster scene =
+      nearest({plane({0.0, 0.0, 1.0}, -6.0), box({-20.0, -20.0, -5.02}, {0.5, 20.0, -5.0})});
+  const SyntheticLight spot = spotLight({0.0, 0.0, -4.0}, {0.0, 0.0, -6.0});
+  const SyntheticGBuffer gbuffer(kSize, perspective(kSize), plane({0.0, 0.0, 1.0}, -6.0));
+  const SyntheticShadow shadow(scene, spot, kMapSize);
+  multiResolution_.settings().technique = Technique::full;
+  const auto litBy = [&](float lightRadius) {
+    effect_.setSettings({.filterRadius = 1.0f, .contactHardening = true, .lightRadius = lightRadius});
+    effect_.setInputs(shadow.inputs());
+    return Image{kSize, 1, renderPicture(multiResolution_, effect_, gbuffer.frame())};
+  };
+  const Image small = litBy(0.05f);
+  EXPECT_LT(small.at(pixelAt({0.6, 0.0, -6.0})), 0.02f);
+  EXPECT_GT(small.at(pixelAt({1.4, 0.0, -6.0})), 0.98f);
+  // By similar triangles the penumbra is as wide as the light: blocker and receiver are equally far apart.
+  const Image large = litBy(0.3f);
+  EXPECT_NEAR(large.at(pixelAt({1.0, 0.0, -6.0})), 0.5f, 0.15f);
+  EXPECT_GT(large.at(pixelAt({0.85, 0.0, -6.0})), 0.02f);
+  EXPECT_LT(large.at(pixelAt({1.15, 0.0, -6.0})), 0.98f);
+  EXPECT_LT(large.at(pixelAt({0.5, 0.0, -6.0})), 0.02f);
+  EXPECT_GT(large.at(pixelAt({1.5, 0.0, -6.0})), 0.98f);
+}
+
+TEST_F(SoftShadowsTest, BlockersInfinitelyFarFromASpotLightAreNone) {
+  // A projection without a far plane, and a map that shows nothing but the blocker.
+  SyntheticLight spot = spotLight({0.0, 0.0, -4.0}, {0.0, 0.0, -6.0});
+  spot.projection = glm::infinitePerspective(glm::radians(90.0f), 1.0f, 0.1f);
+  const SyntheticGBuffer gbuffer(kSize, perspective(kSize), plane({0.0, 0.0, 1.0}, -6.0));
+  const SyntheticShadow shadow(box({-0.5, -0.5, -5.1}, {0.5, 0.5, -5.0}), spot, kMapSize);
+  effect_.setSettings({.filterRadius = 0.5f, .contactHardening = true});
+  effect_.setInputs(shadow.inputs());
+  const Image image{kSize, 1, renderPicture(multiResolution_, effect_, gbuffer.frame())};
+  EXPECT_LT(image.at(pixelAt({0.0, 0.0, -6.0})), 0.02f);
+  EXPECT_LT(image.at(pixelAt({0.75, 0.0, -6.0})), 0.02f) << "the search for blockers sees past them";
+  EXPECT_GT(image.at(pixelAt({1.5, 0.0, -6.0})), 0.98f);
+}
+
+TEST_F(SoftShadowsTest, NothingIsDarkForLyingAtTheMapsFarEnd) {
+  // The floor is tilted against the light, so that filters see beyond the end of the map's depths.
+  const RayCaster floor = plane({0.6, 0.0, 1.0}, -6.0);
+  SyntheticLight sun = parallelLight({0.0, 0.0, 1.0}, {0.0, 0.0, -6.0}, 8.0f);
+  sun.projection = glm::ortho(-8.0f, 8.0f, -8.0f, 8.0f, 0.1f, 20.5f);
+  EXPECT_THAT(render(floor, sun, {.filterRadius = 1.0f}).texels, testing::Each(1.0f));
+}
+
+TEST_F(SoftShadowsTest, DepthOfSixteenBitsMakesNoAcne) {
+  const SyntheticGBuffer gbuffer(kSize, perspective(kSize), plane({0.0, 0.3, 1.0}, -20.0),
+                                 {.format = GL_DEPTH_COMPONENT16});
+  const SyntheticShadow shadow(plane({0.0, 0.3, 1.0}, -20.0),
+                               parallelLight({0.3, 0.5, 1.0}, {0.0, 0.0, -20.0}, 30.0f), kMapSize);
+  effect_.setSettings({.filterRadius = 0.05f});
+  effect_.setInputs(shadow.inputs());
+  EXPECT_THAT(renderPicture(multiResolution_, effect_, gbuffer.frame()), testing::Each(1.0f));
 }
 
 /// How many pixels of a row lie in the penumbra.
@@ -119,33 +189,76 @@ TEST_F(SoftShadowsTest, WithoutAMapEverythingIsLit) {
   }
 }
 
-TEST_F(SoftShadowsTest, TheEdgesCoverThePenumbra) {
-  const glm::ivec2 size(256, 192);
+/// A floor and a wall, and casters before them: a room's own walls would shade everything.
+struct LitScene {
+  const char* name;
+  RayCaster receivers;
+  RayCaster casters;
+  SyntheticLight light;
+  SoftShadowSettings settings;
+};
+
+std::vector<LitScene> scenesWithPenumbras() {
+  const RayCaster things = nearest({plane({0.0, 1.0, 0.0}, -1.5), sphere({-1.0, 0.0, -4.0}, 0.5),
+                                    box({0.3, -1.0, -5.0}, {1.2, 0.5, -4.2})});
+  const RayCaster slab = nearest({plane({0.0, 1.0, 0.0}, -1.5), box({-1.0, -1.5, -5.0}, {1.0, -1.47, -4.0})});
   const SyntheticLight sun = parallelLight({0.5, 1.0, 0.7}, {0.0, 0.0, -5.0}, 9.0f);
-  const SyntheticGBuffer gbuffer(size, perspective(size), room());
-  // The room's own walls would shade everything: only what stands in it casts shadows here.
-  const RayCaster casters = nearest({plane({0.0, 1.0, 0.0}, -1.5), sphere({-1.0, 0.0, -4.0}, 0.5),
-                                     box({0.3, -1.0, -5.0}, {1.2, 0.5, -4.2})});
-  const SyntheticShadow shadow(casters, sun, kMapSize);
-  Unfiltered<SoftShadows> unfiltered(SoftShadowSettings{.samples = 64, .filterRadius = 0.25f});
-  unfiltered.effect().setInputs(shadow.inputs());
-  multiResolution_.settings().technique = Technique::full;
-  const Image full{size, 1, renderPicture(multiResolution_, unfiltered, gbuffer.frame())};
-  multiResolution_.settings().technique = Technique::multiResolution;
-  static_cast<void>(renderPicture(multiResolution_, unfiltered, gbuffer.frame()));
-  const Image edges{size, 4, readPixels(multiResolution_.debugView(DebugView::edges), size, 4)};
-  int penumbra = 0;
-  int uncovered = 0;
-  for (int y = 1; y < size.y; y += 2) {
-    for (int x = 1; x < size.x; x += 2) {
-      const float value = full.at({x, y});
-      if (value < 0.05f || value > 0.95f) continue;
-      ++penumbra;
-      uncovered += edges.at({x, y}, 2) == 0.0f ? 1 : 0;
-    }
+  const SyntheticLight nearSun = parallelLight({0.5, 0.4, 0.7}, {0.0, -1.5, -4.5}, 2.5f);
+  const SoftShadowSettings pcss{
+      .samples = 64, .filterRadius = 0.5f, .contactHardening = true, .lightAngle = 8.0f, .lightRadius = 0.2f};
+  return {{"PCF", room(), things, sun, {.samples = 64, .filterRadius = 0.25f}},
+          {"PCSS", room(), things, sun, pcss},
+          {"PCSS, a slab of 3 cm", slab, slab, nearSun, pcss},
+          {"spot light", room(), things, spotLight({1.0, 2.0, -2.0}, {0.0, -1.0, -5.0}), pcss}};
+}
+
+class Penumbra : public SoftShadowsTest {
+ protected:
+  Penumbra() { refineAtEveryEdge(multiResolution_); }
+
+  /// Which of the levels' colours each pixel has.
+  Image levelsOf(Effect& effect, const Frame& frame) {
+    multiResolution_.settings().technique = Technique::multiResolution;
+    static_cast<void>(renderPicture(multiResolution_, effect, frame));
+    return {frame.size, 3, readPixels(multiResolution_.debugView(DebugView::levels), frame.size, 3)};
   }
-  EXPECT_GT(penumbra, 200);
-  EXPECT_LE(uncovered, penumbra / 100);
+};
+
+TEST_F(Penumbra, IsRefined) {
+  const glm::ivec2 size(256, 192);
+  for (const LitScene& scene : scenesWithPenumbras()) {
+    const SyntheticGBuffer gbuffer(size, perspective(size), scene.receivers);
+    const SyntheticShadow shadow(scene.casters, scene.light, kMapSize);
+    Unfiltered<SoftShadows> unfiltered(scene.settings);
+    unfiltered.effect().setInputs(shadow.inputs());
+    multiResolution_.settings().technique = Technique::full;
+    const Image full{size, 1, renderPicture(multiResolution_, unfiltered, gbuffer.frame())};
+    const Image levels = levelsOf(unfiltered, gbuffer.frame());
+    int penumbra = 0;
+    int coarse = 0;
+    for (int i = 0; i < size.x * size.y; ++i) {
+      const glm::ivec2 pixel(i % size.x, i / size.x);
+      if (full.at(pixel) < 0.05f || full.at(pixel) > 0.95f) continue;
+      ++penumbra;
+      coarse += levels.at(pixel, 0) + levels.at(pixel, 1) + levels.at(pixel, 2) == 0.0f ? 1 : 0;
+    }
+    EXPECT_GT(penumbra, 100) << scene.name;
+    EXPECT_LE(coarse, penumbra / 100) << scene.name;
+  }
+}
+
+TEST_F(Penumbra, IsAllThatIsRefined) {
+  const SyntheticGBuffer gbuffer(kSize, perspective(kSize), floorWithBox());
+  const RayCaster roof = nearest({plane({0.0, 0.0, 1.0}, -1.0), plane({0.0, 0.0, 1.0}, -6.0)});
+  const SyntheticLight above = parallelLight({0.0, 0.1, 1.0}, {0.0, 0.0, -6.0}, 8.0f);
+  const SyntheticLight below = parallelLight({0.0, 0.1, -1.0}, {0.0, 0.0, -6.0}, 8.0f);
+  const SyntheticShadow lit(plane({0.0, 0.0, 1.0}, -8.0), above, kMapSize);
+  const SyntheticShadow dark(roof, above, kMapSize);
+  const SyntheticShadow behind(plane({0.0, 0.0, 1.0}, -4.0), below, kMapSize);
+  for (const SyntheticShadow* shadow : {&lit, &dark, &behind}) {
+    effect_.setInputs(shadow->inputs());
+    EXPECT_THAT(levelsOf(effect_, gbuffer.frame()).texels, testing::Each(0.0f));
+  }
 }
 
 /// Percentage-closer filtering written anew: light rays through texel centres meet the receiver's plane.
@@ -242,8 +355,32 @@ TEST_F(SoftShadowsTest, TheFilterAgreesWithDoublePrecision) {
   EXPECT_LE(different, compared / 50) << "samples on the border of two texels may fall either way";
 }
 
+TEST_F(SoftShadowsTest, TheFewestAndTheMostSamplesShowTheSameShadow) {
+  const SyntheticLight sun = parallelLight({1.0, 0.0, 1.0}, {0.0, 0.0, -6.0}, 8.0f);
+  for (const int samples : {1, 2, kMaxSoftShadowSamples}) {
+    const Image image = render(floorWithBox(), sun, {.samples = samples, .filterRadius = 0.1f});
+    EXPECT_LT(image.at(pixelAt({-1.5, 0.0, -6.0})), 0.02f) << samples;
+    EXPECT_EQ(image.at(pixelAt({-2.4, 0.0, -6.0})), 1.0f) << samples;
+  }
+}
+
+TEST_F(SoftShadowsTest, ASteadyFrameAllocatesNothing) {
+  const SyntheticGBuffer gbuffer(kSize, perspective(kSize), room());
+  const SyntheticShadow shadow(room(), parallelLight({0.5, 1.0, 0.7}, {0.0, 0.0, -5.0}, 9.0f), {64, 64});
+  const auto renderFrame = [&] {
+    effect_.setInputs(shadow.inputs());
+    multiResolution_.render(effect_, gbuffer.frame());
+  };
+  for (int frame = 0; frame < 3; ++frame) renderFrame();
+  const AllocationCounter allocations;
+  for (int frame = 0; frame < 3; ++frame) renderFrame();
+  EXPECT_EQ(allocations.count(), 0u);
+}
+
 TEST_F(SoftShadowsTest, RefusesWhatCannotBeUsed) {
-  EXPECT_THAT([&] { effect_.setSettings({.samples = 0}); }, refusesInASentence("samples"));
+  for (const int samples : {0, kMaxSoftShadowSamples + 1}) {
+    EXPECT_THAT([&] { effect_.setSettings({.samples = samples}); }, refusesInASentence("samples"));
+  }
   EXPECT_THAT([&] { effect_.setSettings({.filterRadius = std::nanf("")}); },
               refusesInASentence("filterRadius"));
   EXPECT_THAT([&] { effect_.setInputs({.shadowMap = 1, .mapSize = {0, 5}}); }, refusesInASentence("mapSize"));

@@ -1,9 +1,13 @@
 // What directional occlusion with one bounce must mean, whatever its implementation.
 #include "effects/ssgi/ssgi.h"
 
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <limits>
+#include <numeric>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "effects/common/sample_points.h"
 #include "effects/ssao/ssao.h"
@@ -49,9 +53,11 @@ TEST_F(SsgiTest, AWhiteFurnaceNeverGivesMoreThanWhite) {
     const LitPicture lit = uniformPicture(size, kWhite);
     const SsgiInputs inputs = inAWhiteEnvironment(lit);
     for (const Technique technique : {Technique::full, Technique::multiResolution}) {
-      const Image image = render(gbuffer, {.samples = 64}, inputs, technique);
-      for (const float value : image.texels)
-        ASSERT_TRUE(value >= 0.0f && value <= 1.0f + 1.0f / 1024) << value;
+      for (const int samples : {8, 64, 228, 288, 8192}) {
+        const Image image = render(gbuffer, {.samples = samples}, inputs, technique);
+        for (const float value : image.texels)
+          ASSERT_TRUE(value >= 0.0f && value <= 1.0f) << value << " of " << samples;
+      }
     }
   }
 }
@@ -168,6 +174,53 @@ TEST_F(SsgiTest, SendersThatFaceAwaySendNothing) {
   EXPECT_GT(bounced.at(before), 0.05f);
   const Image open = render(gbuffer, settings, {.environmentAbove = kWhite, .environmentBelow = kWhite});
   EXPECT_LT(open.at(behind), 0.9f) << "it is blocked there";
+}
+
+/// Surfaces whose normals are zero.
+RayCaster withoutNormals(RayCaster scene) {
+  return [scene = std::move(scene)](glm::dvec3 origin, glm::dvec3 direction) {
+    std::optional<Hit> hit = scene(origin, direction);
+    if (hit) hit->normal = glm::dvec3(0.0);
+    return hit;
+  };
+}
+
+TEST_F(SsgiTest, SendersWithoutANormalSendNothing) {
+  const glm::ivec2 size(97, 61);
+  const SyntheticGBuffer gbuffer(
+      size, perspective(size),
+      nearest({plane({0.0, 1.0, 0.0}, -1.0), withoutNormals(plane({0.0, 0.0, 1.0}, -4.0))}));
+  const LitPicture lit = uniformPicture(size, kWhite);
+  EXPECT_THAT(render(gbuffer, {.samples = 16}, {.radiance = lit.texture.id()}).texels, testing::Each(0.0f));
+}
+
+TEST_F(SsgiTest, WithoutIntensityNothingBounces) {
+  const glm::ivec2 size(97, 61);
+  const SyntheticGBuffer gbuffer(size, perspective(size), room());
+  const LitPicture lit = uniformPicture(size, kWhite);
+  EXPECT_EQ(render(gbuffer, {.samples = 16, .intensity = 0.0f},
+                   {.radiance = lit.texture.id(), .environmentAbove = kWhite})
+                .texels,
+            render(gbuffer, {.samples = 16}, {.environmentAbove = kWhite}).texels);
+}
+
+// A texel of a mip of depth has the place of one of its pixels: what is sent must not depend on whether a
+// highlight lies in just that one.
+TEST_F(SsgiTest, AHighlightOfOnePixelSendsAsMuchWhereverItIs) {
+  const glm::ivec2 size(480, 360);
+  const glm::mat4 projection = perspective(size);
+  const SyntheticGBuffer gbuffer(size, projection,
+                                 nearest({plane({0.0, 1.0, 0.0}, -1.0), plane({0.0, 0.0, 1.0}, -3.0)}));
+  const glm::ivec2 block = pixelOf(projection, size, {0.0, -0.6, -3.0}) / 8 * 8;
+  std::vector<double> sums;
+  for (int i = 0; i < 8; ++i) {
+    const LitPicture lit(size, [&](glm::ivec2 pixel) { return glm::vec3(pixel == block + i ? 8.0f : 0.0f); });
+    const Image image = render(gbuffer, {.samples = 64}, {.radiance = lit.texture.id()});
+    sums.push_back(std::accumulate(image.texels.begin(), image.texels.end(), 0.0));
+  }
+  const auto [least, most] = std::ranges::minmax(sums);
+  EXPECT_GT(least, 0.0);
+  EXPECT_LT(most, 2.0 * least);
 }
 
 TEST_F(SsgiTest, RadianceThatIsNoNumberSendsNothing) {
@@ -308,9 +361,10 @@ TEST_F(SsgiTest, HostileStateNeitherShowsNorChanges) {
 TEST_F(SsgiTest, ASteadyFrameAllocatesNothing) {
   const glm::ivec2 size(97, 61);
   const SyntheticGBuffer gbuffer(size, perspective(size), room());
+  const LitPicture lit = uniformPicture(size, kWhite);
   const auto renderFrame = [&] {
     ssgi_.setSettings({.samples = 8});
-    ssgi_.setInputs({.environmentAbove = kWhite});
+    ssgi_.setInputs({.radiance = lit.texture.id(), .environmentAbove = kWhite});
     multiResolution_.render(ssgi_, gbuffer.frame());
   };
   for (int frame = 0; frame < 3; ++frame) renderFrame();

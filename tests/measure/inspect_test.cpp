@@ -58,7 +58,7 @@ TEST_F(Inspect, LightsThatAreLeftOutAreAWarning) {
   scene_.warnings = {"A texture is missing."};
   const Renderer renderer(scene_, profiler_);
   EXPECT_THAT(warningsOf(scene_, renderer),
-              testing::ElementsAre("A texture is missing.", testing::StartsWith("2 of its lights")));
+              testing::ElementsAre("A texture is missing.", testing::StartsWith("3 of its lights")));
 }
 
 }  // namespace

@@ -2,16 +2,11 @@
 
 #include <cstring>
 
+#include "effects/common/embedded_shaders.h"
+#include "mres/embedded_shaders.h"
 #include "mres/gl/full_screen.h"
 #include "mres/gl/render_target.h"
 #include "tests/support/gl_test.h"
-
-namespace mres {
-std::span<const gl::ShaderFile> embeddedShaders();
-namespace effects {
-std::span<const gl::ShaderFile> embeddedShaders();
-}  // namespace effects
-}  // namespace mres
 
 namespace mres::test {
 namespace {

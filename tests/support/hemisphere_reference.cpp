@@ -67,11 +67,15 @@ std::vector<Sight> HemisphereReference::sightsFrom(glm::ivec2 pixel) const {
   return sights;
 }
 
-glm::ivec2 HemisphereReference::pixelSeenAt(glm::dvec3 point, double distance, double originW) const {
+int HemisphereReference::mipAt(double distance, double originW) const {
   const glm::ivec2 size = gbuffer_.frame().size;
   const double radiusInPixels = settings_.radius * std::abs(projection_[1][1]) * 0.5 * size.y / originW;
-  const int mip = std::clamp(static_cast<int>(std::log2(radiusInPixels) - 3.0 + std::log2(distance)), 0,
-                             mipCount(size) - 1);
+  return std::clamp(static_cast<int>(std::log2(radiusInPixels) - 3.0 + std::log2(distance)), 0,
+                    mipCount(size) - 1);
+}
+
+glm::ivec2 HemisphereReference::pixelSeenAt(glm::dvec3 point, int mip) const {
+  const glm::ivec2 size = gbuffer_.frame().size;
   const glm::dvec4 clip = projection_ * glm::dvec4(point, 1.0);
   const glm::dvec2 projected = (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(size);
   const glm::ivec2 pixel = glm::clamp(glm::ivec2(projected), glm::ivec2(0), size - 1);
@@ -82,8 +86,12 @@ glm::ivec2 HemisphereReference::pixelSeenAt(glm::dvec3 point, double distance, d
 Sight HemisphereReference::sightOf(glm::dvec3 sample, const Receiver& from) const {
   const glm::dvec3 offset = from.frame * sample;
   const glm::dvec3 point = from.position + settings_.radius * offset;
-  Sight sight{.direction = glm::normalize(offset), .toSurface = glm::dvec3(0.0), .pixel = {}, .blocked = 0.0};
-  sight.pixel = pixelSeenAt(point, glm::length(sample), from.clipW);
+  const int mip = mipAt(glm::length(sample), from.clipW);
+  Sight sight{.direction = glm::normalize(offset),
+              .toSurface = glm::dvec3(0.0),
+              .pixel = pixelSeenAt(point, mip),
+              .mip = mip,
+              .blocked = 0.0};
   if (isBackground(sight.pixel)) return sight;
 
   const glm::dvec3 position = positionOf(sight.pixel);

@@ -18,6 +18,7 @@ struct Sight {
   glm::dvec3 direction;  ///< of the point, view space, unit length
   glm::dvec3 toSurface;  ///< from the pixel's surface to the one that is seen
   glm::ivec2 pixel;      ///< that shows it
+  int mip;               ///< of depth: the pixel stands for a block of 2^mip pixels a side
   double blocked;        ///< 0..1: whether it hides the point
 };
 
@@ -40,7 +41,8 @@ class HemisphereReference {
   };
   [[nodiscard]] std::size_t indexOf(glm::ivec2 pixel) const;
   [[nodiscard]] glm::dvec3 positionOf(glm::ivec2 pixel) const;
-  [[nodiscard]] glm::ivec2 pixelSeenAt(glm::dvec3 point, double distance, double originW) const;
+  [[nodiscard]] int mipAt(double distance, double originW) const;
+  [[nodiscard]] glm::ivec2 pixelSeenAt(glm::dvec3 point, int mip) const;
   [[nodiscard]] Sight sightOf(glm::dvec3 sample, const Receiver& from) const;
 
   const SyntheticGBuffer& gbuffer_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mres/level/frame_params.h"
+#include "mres/level/frame_textures.h"
 #include "tests/support/gl_test.h"
 #include "tests/support/glsl_function.h"
 
@@ -44,10 +45,11 @@ double largestIn(const Image& image, glm::dvec2 low, glm::dvec2 high, int sample
 MaskBench::MaskBench() : context_(makeContext()), edgePass_(context_.library), maskPass_(context_.library) {}
 
 Image MaskBench::edges(const Frame& frame, const MaskSettings& settings) {
-  const params::FrameParams params = frameParams(frame);
+  params::FrameParams params = frameParams(frame);
+  params.depthRounding = depthRounding(bindFrameTextures(context_, frame));
   frameBlock_.upload(params);
   frameBlock_.bind(kFrameBlock);
-  edgePass_.draw(context_, settings, params, bindFrameTextures(context_, frame));
+  edgePass_.draw(context_, settings, params);
   return readImage(edgePass_.edges(), 2);
 }
 

@@ -23,7 +23,7 @@ LitPicture facingPicture(const SyntheticGBuffer& gbuffer, glm::vec3 direction, g
                          glm::vec3 elsewhere);
 
 /// Radiance that arrives at one pixel of the full resolution before any filter, in double precision: what
-/// shaders/effects/ssgi.glsl says, written anew. Background gives 0.
+/// shaders/effects/ssgi.glsl and ssgi_senders.frag say, written anew. Background gives 0.
 class SsgiReference {
  public:
   SsgiReference(const SyntheticGBuffer& gbuffer, const LitPicture& lit, const SsgiSettings& settings,
@@ -32,6 +32,9 @@ class SsgiReference {
 
  private:
   [[nodiscard]] glm::dvec3 environment(glm::dvec3 direction) const;
+  [[nodiscard]] glm::dvec3 sanitised(glm::ivec2 pixel) const;
+  /// Of the surfaces in a texel of a mip of depth that face as its own pixel's does.
+  [[nodiscard]] glm::dvec3 meanSent(glm::ivec2 texel, int mip) const;
   [[nodiscard]] glm::dvec3 sentBy(const Sight& sender) const;
 
   HemisphereReference hemisphere_;

@@ -1,6 +1,8 @@
 #include "host/truth/alpha_mask.h"
 
+#include <cstddef>
 #include <gtest/gtest.h>
+#include <limits>
 
 #include "tests/truth/analytic_scenes.h"
 
@@ -50,6 +52,20 @@ TEST_F(AlphaMasks, WrapAsTheTextureDoes) {
   EXPECT_TRUE(holeFarRight(Wrap::repeat));
   EXPECT_FALSE(holeFarRight(Wrap::mirroredRepeat));
   EXPECT_FALSE(holeFarRight(Wrap::clampToEdge));
+}
+
+TEST_F(AlphaMasks, FarCoordinatesAreInsideOfTheImage) {
+  scene_.images[0].size = {16384, 1};
+  scene_.images[0].pixels.assign(std::size_t{4} * 16384, 255);
+  for (const bool nearest : {false, true})
+    for (const Wrap wrap : {Wrap::repeat, Wrap::mirroredRepeat, Wrap::clampToEdge})
+      for (const float far : {1e6f, -1e6f, 1e30f, -1e30f, std::numeric_limits<float>::infinity(),
+                              std::numeric_limits<float>::quiet_NaN()}) {
+        scene_.textures[0].nearest = nearest;
+        scene_.textures[0].wrapS = wrap;
+        scene_.materials[0].baseColorTexture.uvTransform[2].x = far;
+        EXPECT_FALSE(isHole(0.25f)) << far;
+      }
 }
 
 TEST_F(AlphaMasks, CountTheColourFactorAndNeedNoTexture) {

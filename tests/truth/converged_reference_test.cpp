@@ -2,12 +2,15 @@
 
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <memory>
+#include <numeric>
 #include <stdexcept>
 
 #include "effects/ssao/ssao.h"
 #include "host/renderer/read_texture.h"
+#include "host/truth/grid_effect.h"
 #include "tests/support/gl_test.h"
 #include "tests/support/synthetic_gbuffer.h"
 #include "tests/support/test_effect.h"
@@ -64,16 +67,16 @@ TEST_F(Converged, IsTheEffectAtThePixelsOfTheGrid) {
   }
 }
 
-TEST_F(Converged, EvaluatesTheQuarterLevelAlone) {
-  const TestEffect::Recipe strides{.body = "return vec4(float(levelStride) / 8.0);"};
-  for (const float value : ofRecipe(strides, roomOf({160, 96}).frame()).values.pixels) EXPECT_EQ(value, 0.5f);
-  EXPECT_EQ(ofRecipe(strides, roomOf({160, 96}).frame()).grid.stride, 4);
-}
-
-TEST_F(Converged, OfPicturesWithoutAQuarterLevelEvaluatesAllPixels) {
-  const Truth truth = ofRecipe({.body = kOfThePixel}, roomOf({40, 20}).frame());
-  EXPECT_EQ(truth.grid.stride, 1);
-  EXPECT_EQ(truth.values.size, glm::ivec2(40, 20));
+TEST_F(Converged, EvaluatesTheGridsPixelsAlone) {
+  constexpr glm::ivec2 kSize(160, 96);
+  const PixelGrid grid{kSize, 4, {5, 3}};
+  GridEffect effect(std::make_unique<TestEffect>(TestEffect::Recipe{.body = "return vec4(1.0);"}), grid);
+  mres::MultiResolution full;
+  full.settings().technique = mres::Technique::full;
+  const SyntheticGBuffer gbuffer = roomOf(kSize);
+  const FloatImage picture = readTexture(full.render(effect, gbuffer.frame()), kSize, 1);
+  EXPECT_THAT(valuesAt(grid, picture).pixels, testing::Each(1.0f));
+  EXPECT_EQ(std::accumulate(picture.pixels.begin(), picture.pixels.end(), 0.0), 160 * 96 / 15);
 }
 
 TEST_F(Converged, IsTheMeanOfItsPasses) {

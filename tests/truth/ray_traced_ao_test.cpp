@@ -91,8 +91,8 @@ TEST(RayTracedAo, BackgroundIsOpen) {
   EXPECT_EQ(truth.values.pixels[1], 1.0f);
 }
 
-TEST(RayTracedAo, ManyRowsAreAllEvaluated) {
-  constexpr int kRows = 45;
+TEST(RayTracedAo, ManyPointsAreAllEvaluated) {
+  constexpr int kRows = 2500;
   GridSurfaces surfaces{{{1, kRows}, 1}, {}};
   for (int row = 0; row < kRows; ++row)
     surfaces.points.push_back({{row % 2 == 0 ? 1e-3f : 20.0f, 1e-4f, 0}, {0, 1, 0}, false});
@@ -101,7 +101,7 @@ TEST(RayTracedAo, ManyRowsAreAllEvaluated) {
   const Truth truth = traceAccessibility(RayScene(walls), surfaces, {.radius = 10.0f},
                                          [&](double, const std::string&) { ++observed; });
   for (int row = 0; row < kRows; ++row)
-    EXPECT_NEAR(truth.values.pixels[row], row % 2 == 0 ? 0.5f : 1.0f, kTolerance) << row;
+    EXPECT_NEAR(truth.values.pixels[row], row % 2 == 0 ? 0.5f : 1.0f, 0.1f) << row;
   EXPECT_GT(observed, 1);
 }
 

@@ -1,4 +1,5 @@
 // What `mres bench` does with its results: keep them, go on from them, show them.
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -21,6 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::AllOf;
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 const Machine kMachine{"llvmpipe", "4.5", 2};
@@ -28,6 +30,7 @@ const Machine kMachine{"llvmpipe", "4.5", 2};
 Measurement measurementOf(int camera, glm::ivec2 size, int samples) {
   Measurement measurement;
   measurement.scene = "hall <1>";
+  measurement.cameraName = "nave";
   measurement.camera = camera;
   measurement.size = size;
   measurement.effect = "ssao";
@@ -51,6 +54,12 @@ std::vector<TruthErrors> truthsOf(double reference, double technique) {
 std::string contentsOf(const fs::path& file) {
   std::ifstream stream(file);
   return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::size_t countOf(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
 }
 
 class Bench : public testing::Test {
@@ -87,9 +96,32 @@ TEST_F(Bench, ResumingKnowsWhatWasMeasured) {
   EXPECT_FALSE(resumed.contains(changed, {.times = true}));
 }
 
-TEST_F(Bench, WithoutResumingAllBeginsAnew) {
+TEST_F(Bench, ResumingTellsScenesOfTheSameNameApart) {
+  BenchResults results(file(), kMachine, false);
+  const Measurement measured = measurementOf(0, {64, 64}, 16);
+  results.add(measured);
+  Measurement other = measured;
+  other.triangles = 12;
+  EXPECT_FALSE(results.contains(other, {}));
+  other = measured;
+  other.cameraName = "aisle";
+  EXPECT_FALSE(results.contains(other, {}));
+}
+
+TEST_F(Bench, WithoutResumingAllBeginsAnewAndTheOldIsKept) {
   { BenchResults(file(), kMachine, false).add(measurementOf(0, {64, 64}, 16)); }
+  const std::string old = contentsOf(file());
   EXPECT_TRUE(BenchResults(file(), kMachine, false).report()["results"].empty());
+  EXPECT_FALSE(fs::exists(file()));
+  EXPECT_EQ(contentsOf(folder_ / "results.previous.json"), old);
+}
+
+TEST_F(Bench, ResultsAreReadWhateverMeasuredThem) {
+  { BenchResults(file(), {"other", "4.6", 64}, false).add(measurementOf(0, {64, 64}, 16)); }
+  EXPECT_EQ(readResults(file())["results"].size(), 1U);
+  EXPECT_THROW(readResults(folder_ / "missing.json"), std::runtime_error);
+  std::ofstream(file()) << "not JSON";
+  EXPECT_THROW(readResults(file()), std::runtime_error);
 }
 
 TEST_F(Bench, ResumingMeasuresAgainWhatWasNotTimed) {
@@ -118,6 +150,7 @@ TEST_F(Bench, ResumingMeasuresAgainWhatHasNoTruth) {
 
 /// A report of one result, spoilt by `spoil`, and what resuming from it says.
 std::string refusalOf(const fs::path& file, const std::function<void(Json&)>& spoil) {
+  fs::remove(file);
   BenchResults results(file, kMachine, false);
   results.add(measurementOf(0, {64, 64}, 16));
   Json report = results.report();
@@ -134,16 +167,18 @@ std::string refusalOf(const fs::path& file, const std::function<void(Json&)>& sp
 TEST_F(Bench, ResumingFromASoundReportIsNotRefused) {
   EXPECT_EQ(refusalOf(file(), [](Json&) {}), "");
   EXPECT_EQ(refusalOf(file(), [](Json& report) { report["results"][0]["error"]["psnr"] = nullptr; }), "");
-  EXPECT_EQ(refusalOf(file(), [](Json& report) { report["results"][0].erase("truth"); }), "");
+  for (const char* later : {"truth", "seconds", "warnings"})
+    EXPECT_EQ(refusalOf(file(), [&](Json& report) { report["results"][0].erase(later); }), "") << later;
+  EXPECT_EQ(refusalOf(file(), [](Json& report) { report.erase("date"); }), "");
 }
 
 TEST_F(Bench, ResumingFromAReportThatLacksAFieldIsRefused) {
   for (const char* field : {"schema", "version", "commit", "machine", "results"})
     EXPECT_THAT(refusalOf(file(), [&](Json& report) { report.erase(field); }), HasSubstr("--resume"))
         << field;
-  for (const char* field : {"scene", "camera", "width", "height", "effect", "samples", "technique", "time_ms",
-                            "reference_time_ms", "clock", "speedup", "speedup_interval", "error", "coverage",
-                            "stages_ms", "settings", "pictures"})
+  for (const char* field : {"scene", "triangles", "camera", "camera_name", "width", "height", "effect",
+                            "samples", "technique", "time_ms", "reference_time_ms", "clock", "speedup",
+                            "speedup_interval", "error", "coverage", "stages_ms", "settings", "pictures"})
     EXPECT_THAT(refusalOf(file(), [&](Json& report) { report["results"][0].erase(field); }),
                 HasSubstr(field));
   for (const char* field : {"time_ms", "reference_time_ms", "clock", "speedup_interval", "error"})
@@ -164,10 +199,26 @@ TEST_F(Bench, ResumingFromAFieldOfAnotherTypeIsRefused) {
                                                                 {"coverage", {"all"}},
                                                                 {"stages_ms", {{"edges", "fast"}}},
                                                                 {"settings", 3},
-                                                                {"pictures", {{"full", Json::array()}}}})
+                                                                {"seconds", "1"},
+                                                                {"warnings", "lost"},
+                                                                {"pictures", {{"full", 3}}}})
     EXPECT_THAT(refusalOf(file(), [&name = field,
                                    &broken = value](Json& report) { report["results"][0][name] = broken; }),
                 HasSubstr("has a broken '" + field + "'"));
+}
+
+TEST_F(Bench, ResumingFromABrokenHeadIsRefused) {
+  EXPECT_THAT(refusalOf(file(), [](Json& report) { report["date"] = 3; }), HasSubstr("date"));
+  EXPECT_THAT(refusalOf(file(), [](Json& report) { report["machine"].erase("renderer"); }),
+              HasSubstr("names no machine"));
+}
+
+TEST_F(Bench, PicturesAreFilesAndOneFactor) {
+  const auto refusalOfPictures = [&](const Json& pictures) {
+    return refusalOf(file(), [&](Json& report) { report["results"][0]["pictures"] = pictures; });
+  };
+  EXPECT_EQ(refusalOfPictures({{"full", "full.png"}, {"difference_enhancement", 8.0}}), "");
+  EXPECT_THAT(refusalOfPictures({{"difference_enhancement", "8"}}), HasSubstr("pictures"));
 }
 
 TEST_F(Bench, ResumingFromNoJsonIsRefused) {
@@ -199,15 +250,48 @@ TEST_F(Bench, ResumingFromABrokenTruthIsRefused) {
   EXPECT_THAT(refusalOfTruth(3), HasSubstr("truth"));
 }
 
+std::vector<std::string> namesOf(const std::vector<Plot>& plots) {
+  std::vector<std::string> names;
+  for (const Plot& plot : plots) names.push_back(plot.file.string());
+  return names;
+}
+
 TEST_F(Bench, PlotsAreDrawnFromTheReportAlone) {
   BenchResults results(file(), kMachine, false);
   fillReport(results);
   const auto plots = drawPlots(results.report(), folder_);
   if (!plots) GTEST_SKIP() << "gnuplot is not installed";
-  EXPECT_THAT(*plots, testing::ElementsAre("plots/speedup-by-size.svg", "plots/speedup-by-samples.svg",
+  EXPECT_THAT(namesOf(*plots), ElementsAre("plots/speedup-by-size.svg", "plots/speedup-by-samples.svg",
                                            "plots/error-against-time.svg", "plots/stages.svg"));
-  for (const fs::path& plot : *plots)
-    EXPECT_THAT(contentsOf(folder_ / plot), AllOf(HasSubstr("<svg"), HasSubstr("</svg>"))) << plot;
+  for (const Plot& plot : *plots)
+    EXPECT_THAT(contentsOf(folder_ / plot.file),
+                AllOf(HasSubstr("<svg"), HasSubstr(plot.title.substr(0, 5)), HasSubstr("</svg>")))
+        << plot.file;
+}
+
+TEST_F(Bench, PlotsOfBeforeAreTakenAway) {
+  fs::create_directory(folder_ / "plots");
+  for (const char* name : {"old.svg", "old.gp", "notes.txt"}) std::ofstream(folder_ / "plots" / name) << "";
+  BenchResults results(file(), kMachine, false);
+  results.add(measurementOf(0, {64, 64}, 16));
+  drawPlots(results.report(), folder_);
+  EXPECT_FALSE(fs::exists(folder_ / "plots/old.svg"));
+  EXPECT_FALSE(fs::exists(folder_ / "plots/old.gp"));
+  EXPECT_TRUE(fs::exists(folder_ / "plots/notes.txt"));
+}
+
+TEST_F(Bench, BarsOfStagesAreInTheOrderOfNumbers) {
+  BenchResults results(file(), kMachine, false);
+  for (const int samples : {128, 16}) {
+    Measurement measurement = measurementOf(0, {64, 64}, samples);
+    measurement.scene = R"(the "hall")";
+    results.add(measurement);
+  }
+  if (!drawPlots(results.report(), folder_)) GTEST_SKIP() << "gnuplot is not installed";
+  const std::string script = contentsOf(folder_ / "plots/stages.gp");
+  const std::size_t first = script.find("\n\"the hall 0, ssao, 16 samples");
+  EXPECT_NE(first, std::string::npos) << script;
+  EXPECT_NE(script.find("\n\"the hall 0, ssao, 128 samples", first), std::string::npos) << script;
 }
 
 TEST_F(Bench, ManyViewsAreDrawnAsMeansAndBoxes) {
@@ -218,9 +302,9 @@ TEST_F(Bench, ManyViewsAreDrawnAsMeansAndBoxes) {
   }
   const auto plots = drawPlots(results.report(), folder_);
   if (!plots) GTEST_SKIP() << "gnuplot is not installed";
-  EXPECT_THAT(*plots,
-              testing::ElementsAre("plots/mean-speedup-by-size.svg", "plots/mean-speedup-by-samples.svg",
-                                   "plots/errors.svg", "plots/error-against-time.svg", "plots/stages.svg"));
+  EXPECT_THAT(namesOf(*plots),
+              ElementsAre("plots/mean-speedup-by-size.svg", "plots/mean-speedup-by-samples.svg",
+                          "plots/errors.svg", "plots/error-against-time.svg", "plots/stages.svg"));
   EXPECT_THAT(contentsOf(folder_ / "plots/mean-speedup-by-size.svg"),
               HasSubstr("ssao, 64 samples, 13 views"));
   EXPECT_THAT(contentsOf(folder_ / "plots/mean-speedup-by-samples.svg"),
@@ -229,21 +313,27 @@ TEST_F(Bench, ManyViewsAreDrawnAsMeansAndBoxes) {
   EXPECT_THAT(contentsOf(folder_ / "plots/errors.svg"), HasSubstr("3840x2160"));
 }
 
+TEST_F(Bench, AViewWithMorePointsThanTheOthersIsDrawnAlone) {
+  BenchResults results(file(), kMachine, false);
+  for (const int camera : {0, 1})
+    for (const int samples : {16, 32, 64}) results.add(measurementOf(camera, {64, 64}, samples));
+  results.add(measurementOf(1, {64, 64}, 128));
+  if (!drawPlots(results.report(), folder_)) GTEST_SKIP() << "gnuplot is not installed";
+  const std::string script = contentsOf(folder_ / "plots/mean-speedup-by-samples.gp");
+  EXPECT_THAT(script, AllOf(HasSubstr("'ssao, 64x64, 2 views'"), HasSubstr("'ssao, 64x64, hall <1> 1 alone'"),
+                            testing::Not(HasSubstr("hall <1> 0 alone"))));
+  EXPECT_EQ(countOf(script, "\n128 "), 1U);
+}
+
 /// A tiny picture under each name that a page shows.
 Json picturesIn(const fs::path& folder) {
   Json pictures{{"difference_enhancement", 8.0}};
-  for (const char* subject : {"full", "mres", "difference", "levels"}) {
+  for (const char* subject : {"full", "mres", "effect_full", "effect_mres", "difference", "levels"}) {
     const std::string file = std::string(subject) + ".png";
     writeImage(folder / file, {{8, 4}, 3, std::vector<float>(8 * 4 * 3, 0.5f)});
     pictures[subject] = file;
   }
   return pictures;
-}
-
-std::size_t countOf(const std::string& text, const std::string& part) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
-  return count;
 }
 
 TEST_F(Bench, ThePageHoldsAllThatItShows) {
@@ -253,17 +343,17 @@ TEST_F(Bench, ThePageHoldsAllThatItShows) {
   results.add(measurement);
   results.add(measurementOf(1, {64, 64}, 16));
   std::ofstream(folder_ / "stages.svg") << "<svg/>";
-  const std::string page = makePage(results.report(), {"stages.svg"}, folder_);
+  const std::string page = makePage(results.report(), {Plot{"stages.svg", "Where the time goes"}}, folder_);
   EXPECT_THAT(page, AllOf(HasSubstr("hall &lt;1&gt;"), HasSubstr("2.00x"), HasSubstr("llvmpipe"),
                           HasSubstr(results.report()["version"].get<std::string>()),
                           HasSubstr(results.report()["commit"].get<std::string>()),
                           HasSubstr(results.report()["date"].get<std::string>()),
-                          HasSubstr("difference, 8 times enhanced"), testing::Not(HasSubstr("hall <1>")),
-                          testing::Not(HasSubstr("{{"))));
-  EXPECT_EQ(countOf(page, "src=\"data:image/jpeg;base64,"), 3U);
+                          HasSubstr("difference, 8 times enhanced"), HasSubstr("alt=\"Where the time goes\""),
+                          testing::Not(HasSubstr("hall <1>")), testing::Not(HasSubstr("{{"))));
+  EXPECT_EQ(countOf(page, "src=\"data:image/jpeg;base64,"), 5U);
   EXPECT_EQ(countOf(page, "src=\"data:image/png;base64,"), 1U);
   EXPECT_EQ(countOf(page, "src=\"data:image/svg+xml;base64,"), 1U);
-  EXPECT_EQ(countOf(page, "src="), 5U) << "something is not in the page";
+  EXPECT_EQ(countOf(page, "src="), 7U) << "something is not in the page";
   EXPECT_EQ(countOf(page, "http:") + countOf(page, "https:") + countOf(page, "url("), 0U);
 }
 
@@ -276,17 +366,57 @@ TEST_F(Bench, ThePageDoesWithoutPicturesThatAreGone) {
   EXPECT_EQ(countOf(makePage(results.report(), {}, folder_), "src="), 0U);
 }
 
+/// As XML, but for its script: that is no markup.
 TEST_F(Bench, ThePageIsWellFormed) {
+  if (std::system("command -v python3 > /dev/null") != 0) GTEST_SKIP() << "python3 is not installed";
   Measurement measurement = measurementOf(0, {64, 64}, 16);
   measurement.pictures = picturesIn(folder_);
+  measurement.truths = truthsOf(0.02, 0.03);
+  measurement.warnings = {"Texture <7> & others are left out."};
   BenchResults results(file(), kMachine, false);
   results.add(measurement);
   std::string page = makePage(results.report(), {}, folder_);
-  for (const std::string tag : {"html", "head", "body", "style", "script", "table", "thead", "tbody", "tr",
-                                "td", "th", "figure", "div", "button", "details"})
-    EXPECT_EQ(countOf(page, "<" + tag + ">") + countOf(page, "<" + tag + " "),
-              countOf(page, "</" + tag + ">"))
-        << tag;
+  const std::size_t script = page.find("<script>");
+  page.erase(script, page.find("</body>") - script);
+  std::ofstream(folder_ / "page.xml") << page;
+  EXPECT_EQ(std::system(("python3 -c 'import sys, xml.dom.minidom as dom; dom.parse(sys.argv[1])' '" +
+                         (folder_ / "page.xml").string() + "'")
+                            .c_str()),
+            0);
+}
+
+TEST_F(Bench, ThePageNamesThePicturesWithGreatErrors) {
+  Json report = makeReport(kMachine);
+  for (const int camera : {0, 1}) report["results"].push_back(toJson(measurementOf(camera, {64, 64}, 16)));
+  report["results"][1]["error"]["rms"] = 0.0251;
+  EXPECT_THAT(makePage(report, {}, folder_),
+              HasSubstr("No picture's RMS is over 0.03; the greatest is 0.0251, of hall &lt;1&gt; 1, ssao"));
+  report["results"][0]["error"]["rms"] = 0.0302;
+  const std::string page = makePage(report, {}, folder_);
+  EXPECT_THAT(page, AllOf(HasSubstr("hall &lt;1&gt; 0, ssao, 16 samples, 64x64: 0.0302"),
+                          testing::Not(HasSubstr("No picture's"))));
+  EXPECT_EQ(countOf(page, "<li>"), 1U);
+}
+
+TEST_F(Bench, ThePageTellsWhatScenesLackOnce) {
+  Json report = makeReport(kMachine);
+  EXPECT_THAT(makePage(report, {}, folder_), testing::Not(HasSubstr("What the scenes lack")));
+  for (const int camera : {0, 1}) {
+    Measurement measurement = measurementOf(camera, {64, 64}, 16);
+    measurement.warnings = {"A light is left out."};
+    report["results"].push_back(toJson(measurement));
+  }
+  const std::string page = makePage(report, {}, folder_);
+  EXPECT_THAT(page, HasSubstr("What the scenes lack"));
+  EXPECT_EQ(countOf(page, "A light is left out."), 1U);
+}
+
+TEST_F(Bench, ThePageTellsHowLongItTook) {
+  Json report = makeReport(kMachine);
+  Measurement measurement = measurementOf(0, {64, 64}, 16);
+  measurement.seconds = 300.0;
+  report["results"].push_back(toJson(measurement));
+  EXPECT_THAT(makePage(report, {}, folder_), HasSubstr("measured in 5 minutes"));
 }
 
 TEST(BenchSummary, HasARowForEachEffectSamplesAndSize) {

@@ -18,6 +18,13 @@ TEST(Notes, AreALineEach) {
   EXPECT_EQ(notesOf({"First.", "A\nname."}), "mres: note: First.\nmres: note: A name.\n");
 }
 
+TEST(Sentences, BeginWithACapitalAndEndWithAStop) {
+  EXPECT_EQ(asSentence("can't load 'a.glb'"), "Can't load 'a.glb'.");
+  EXPECT_EQ(asSentence("Did you mean hall?"), "Did you mean hall?");
+  EXPECT_EQ(asSentence("0:1: syntax error\n0:2: another"), "0:1: syntax error.");
+  EXPECT_EQ(asSentence(""), "");
+}
+
 TEST(Notes, AreFew) {
   const std::vector<std::string> warnings(9, "Lost.");
   const std::string notes = notesOf(warnings);

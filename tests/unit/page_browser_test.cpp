@@ -23,28 +23,42 @@ using testing::HasSubstr;
 /// read.
 constexpr const char* kProbe = R"(<script>
 const found = [];
-const stage = document.querySelector(".stage");
-const split = document.querySelector(".split");
-split.value = 20;
-split.dispatchEvent(new Event("input"));
-found.push("line at " + stage.style.getPropertyValue("--split"));
-const shown = () => Array.from(stage.querySelectorAll(".extra")).filter(part => part.offsetParent).length;
-found.push("extras " + shown());
-document.querySelector("[data-show=levels]").click();
-found.push("then " + shown());
-document.querySelector("[data-show='']").click();
-found.push("then " + shown());
+const view = document.querySelector(".view");
+const stage = view.querySelector(".stage");
+const point = (type, share) => {
+  const box = stage.getBoundingClientRect();
+  stage.dispatchEvent(new PointerEvent(type, { clientX: box.left + share * box.width, buttons: 1 }));
+};
+const clip = () => getComputedStyle(stage.querySelector(".mres")).clipPath.match(/[\d.]+%/)[0];
+point("pointerdown", 0.25);
+found.push("right of the line " + clip());
+point("pointermove", 0.5);
+found.push("then " + clip());
+const shown = () => {
+  const isVisible = part => part.offsetParent !== null;
+  return Array.from(stage.querySelectorAll("img")).filter(isVisible).map(image => image.alt.split(": ")[1]).join("+") +
+         (isVisible(view.querySelector(".split")) ? " with a line" : "");
+};
+found.push(shown());
+for (const what of ["effect", "levels", "result"]) {
+  view.querySelector("[data-show=" + what + "]").click();
+  found.push(shown());
+}
+const width = () => stage.querySelector("img").getBoundingClientRect().width;
+const wide = width();
+view.querySelector(".natural-size").click();
+found.push("natural width " + width() + (wide > width() ? ", less than before" : ""));
 const tables = document.querySelectorAll(".sortable");
 const table = tables[tables.length - 1];
-const speedup = Array.from(table.tHead.rows[0].cells).find(cell => cell.textContent === "speedup");
-const first = () => table.tBodies[0].rows[0].cells[speedup.cellIndex].textContent;
-speedup.click();
-found.push("least " + first());
-speedup.click();
-found.push("greatest " + first());
+const heading = Array.from(table.tHead.rows[0].cells).find(cell => cell.textContent === "speedup");
+const speedups = () => Array.from(table.tBodies[0].rows).map(row => row.cells[heading.cellIndex].textContent).join(" ");
+for (const direction of ["ascending", "descending"]) {
+  heading.querySelector("button").click();
+  found.push(heading.getAttribute("aria-sort") + " " + speedups());
+}
 addEventListener("load", () => {
   found.push("broken " + Array.from(document.images).filter(image => !image.naturalWidth).length);
-  document.title = found.join(", ");
+  document.title = found.join("; ");
   console.log("probe is done");
 });
 </script>
@@ -62,7 +76,7 @@ std::string outputOf(const std::string& command) {
 
 class PageInBrowser : public testing::Test {
  protected:
-  Json resultOf(int camera, double slowMs) {
+  Measurement untimed(int camera) {
     Measurement measurement;
     measurement.scene = "hall";
     measurement.camera = camera;
@@ -71,26 +85,33 @@ class PageInBrowser : public testing::Test {
     measurement.samples = 64;
     measurement.technique = "mres";
     measurement.settings = {{"radius", 0.5}};
-    measurement.times = InterleavedTimes{{{.wallMs = 10.0}}, {{.wallMs = slowMs}}};
     measurement.error = ErrorMetrics{};
-    for (const char* subject : {"full", "mres", "difference", "levels"}) {
+    for (const char* subject : {"full", "mres", "effect_full", "effect_mres", "difference", "levels"}) {
       const std::string file = std::string(subject) + ".png";
       writeImage(folder_ / file, {{64, 64}, 3, std::vector<float>(std::size_t{64} * 64 * 3, 0.5f)});
       measurement.pictures[subject] = file;
     }
-    return toJson(measurement);
+    return measurement;
+  }
+
+  Measurement timed(int camera, double referenceMs) {
+    Measurement measurement = untimed(camera);
+    measurement.times = InterleavedTimes{{{.wallMs = 10.0}}, {{.wallMs = referenceMs}}};
+    return measurement;
   }
 
   /// The page with the probe, as the browser left it, after what the browser logged.
   std::string browse() {
     Json report = makeReport({"llvmpipe", "4.5", 2});
-    report["results"] = {resultOf(0, 30.0), resultOf(1, 20.0), resultOf(2, 100.0)};
+    for (const Measurement& measurement : {timed(0, 30.0), untimed(1), timed(2, 20.0), timed(3, 100.0)})
+      report["results"].push_back(toJson(measurement));
     std::string page = makePage(report, {}, folder_);
     page.replace(page.rfind("</body>"), std::string("</body>").size(), kProbe);
     const fs::path file = folder_ / "page.html";
     std::ofstream(file) << page;
     return outputOf(
-        "chromium --headless --no-sandbox --disable-gpu --enable-logging=stderr --user-data-dir='" +
+        "timeout 60 chromium --headless --no-sandbox --disable-gpu --enable-logging=stderr "
+        "--user-data-dir='" +
         (folder_ / "profile").string() + "' --dump-dom 'file://" + file.string() + "'");
   }
 
@@ -101,8 +122,13 @@ class PageInBrowser : public testing::Test {
 TEST_F(PageInBrowser, ComparesSortsAndLogsNothing) {
   if (std::system("command -v chromium > /dev/null") != 0) GTEST_SKIP() << "chromium is not installed";
   const std::string seen = browse();
-  EXPECT_THAT(seen, HasSubstr("<title>line at 20%, extras 0, then 1, then 0, least 2.00x, greatest 10.00x, "
-                              "broken 0</title>"));
+  EXPECT_THAT(seen,
+              HasSubstr("<title>right of the line 75%; then 50%; "
+                        "full resolution+multi-resolution with a line; "
+                        "the effect at full resolution+the effect, multi-resolution with a line; level map; "
+                        "full resolution+multi-resolution with a line; "
+                        "natural width 64, less than before; ascending 2.00x 3.00x 10.00x -; "
+                        "descending 10.00x 3.00x 2.00x -; broken 0</title>"));
   const std::size_t log = seen.find("CONSOLE");
   ASSERT_NE(log, std::string::npos) << "the browser's log is not seen";
   EXPECT_THAT(seen.substr(log, 200), HasSubstr("probe is done"));

@@ -1,8 +1,13 @@
 #include "host/measure/report.h"
 
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
+#include <string>
+
+#include "host/measure/report_table.h"
+#include "host/measure/result_names.h"
 
 namespace host {
 namespace {
@@ -36,6 +41,7 @@ Measurement example() {
   measurement.warnings = {"Something is left out."};
   measurement.skipped = {{"level1", "not used by ssgi"}};
   measurement.gpuBytes = 123456;
+  measurement.seconds = 46.4;
   return measurement;
 }
 
@@ -71,6 +77,7 @@ TEST(Report, HasTheFieldsThatScriptsRelyOn) {
   EXPECT_EQ(result["stages_clock"], "glFinish+steady_clock");
   EXPECT_EQ(result["warnings"].dump(), R"(["Something is left out."])");
   EXPECT_EQ(result["gpu_bytes"], 123456);
+  EXPECT_EQ(result["seconds"], 46.4);
   EXPECT_EQ(result["settings"]["radius"], 0.4);
 }
 
@@ -130,6 +137,54 @@ TEST(ReportTable, AveragesSeveralResults) {
   Measurement second = example();
   second.error->rms = 0.03;
   EXPECT_THAT(toTable(reportOf({example(), second})), AllOf(HasSubstr("mean"), HasSubstr("0.0200")));
+}
+
+TEST(ReportTable, AveragesNothingOfPicturesThatDifferInMoreThanTheirCameras) {
+  Measurement second = example();
+  second.size = {1920, 1080};
+  EXPECT_THAT(toTable(reportOf({example(), second})), Not(HasSubstr("mean")));
+}
+
+TEST(ReportTable, ShowsStagesOfOneEffectAlone) {
+  Measurement second = example();
+  second.effect = "ssm";
+  EXPECT_THAT(toTable(reportOf({example(), second})), Not(HasSubstr("stage by stage")));
+}
+
+/// Of a table with one row.
+std::string cellBelow(const std::string& title, const Json& report) {
+  const auto rows = tableRows(report);
+  const auto column = std::ranges::find(rows.at(0), title) - rows.at(0).begin();
+  return rows.at(1).at(column);
+}
+
+TEST(ReportTable, TellsHowWellASpeedupIsKnown) {
+  const Json report = reportOf({example()});
+  EXPECT_EQ(cellBelow("runs", report), "5");
+  EXPECT_GT(std::stod(cellBelow("+-%", report)), 0.0);
+  EXPECT_LT(std::stod(cellBelow("+-%", report)), 1.0);
+  EXPECT_THAT(toTable(report), HasSubstr("with 95 % confidence"));
+}
+
+TEST(ReportTable, ClaimsNoIntervalOfAFewPairs) {
+  Measurement measurement = example();
+  measurement.times->technique.resize(1);
+  measurement.times->reference.resize(1);
+  const Json report = reportOf({measurement});
+  EXPECT_EQ(cellBelow("runs", report), "1");
+  EXPECT_EQ(cellBelow("+-%", report), "-");
+  EXPECT_THAT(toTable(report),
+              AllOf(HasSubstr("Speedup 2.50x: 1 interleaved pair,"), Not(HasSubstr("95 %"))));
+}
+
+TEST(ReportNames, TellHowLongAllOfItTook) {
+  EXPECT_EQ(durationOf(reportOf({example()})), "46 seconds");
+  Measurement slow = example();
+  slow.seconds = 83 * 60.0;
+  EXPECT_EQ(durationOf(reportOf({example(), slow})), "84 minutes");
+  Json older = reportOf({example()});
+  older["results"][0].erase("seconds");
+  EXPECT_EQ(durationOf(older), "");
 }
 
 TEST(ReportTable, ShowsWhatWasNotMeasuredAsADash) {

@@ -21,6 +21,11 @@ TEST(Median, OfNothingIsAnError) {
   EXPECT_THROW(median({}), std::invalid_argument);
 }
 
+TEST(Mean, IsThatOfTheValues) {
+  EXPECT_EQ(mean(std::vector{1.0, 2.0, 6.0}), 3.0);
+  EXPECT_THROW(mean({}), std::invalid_argument);
+}
+
 TEST(Summary, KeepsTheExtremesAndTheCount) {
   const Summary summary = summarize(std::vector{3.0, 1.0, 2.0, 50.0});
   EXPECT_EQ(summary.median, 2.5);
@@ -54,6 +59,11 @@ TEST(RatioOfMedians, IntervalContainsTheRatioAndGrowsWithTheSpread) {
   EXPECT_GT(wide.high - wide.low, narrow.high - narrow.low);
   EXPECT_TRUE(narrow.isKnownWithin(0.05));
   EXPECT_FALSE(wide.isKnownWithin(0.05));
+}
+
+TEST(RatioOfMedians, IsNotKnownFromAFewPairsHoweverEqual) {
+  EXPECT_FALSE(ratioOfMedians(std::vector(3, 6.0), std::vector(3, 2.0)).isKnownWithin(0.05));
+  EXPECT_EQ(ratioOfMedians(std::vector(3, 6.0), std::vector(3, 2.0)).pairs, 3U);
 }
 
 TEST(RatioOfMedians, IsTheSameForTheSameTimes) {
@@ -122,6 +132,18 @@ TEST_F(Interleaved, WarmsUpUntilTheClocksHaveSettled) {
 TEST_F(Interleaved, StopsAtTheLeastCountWhenTheRatioIsKnown) {
   EXPECT_EQ(run({}).technique.size(), 5U);
   EXPECT_EQ(speedupOf(run({})).ratio, 2.0);
+}
+
+TEST_F(Interleaved, TakesFewerPairsOfWorkThatIsTooLong) {
+  // A pair takes 0.3 s.
+  EXPECT_EQ(run({.minPairs = 3, .maxSeconds = 0.1, .maxSecondsOfMinPairs = 0.7}).technique.size(), 2U);
+  EXPECT_EQ(run({.minPairs = 3, .maxSeconds = 0.1, .maxSecondsOfMinPairs = 0.1}).technique.size(), 1U);
+  EXPECT_EQ(run({.minPairs = 3, .maxSeconds = 0.1, .maxSecondsOfMinPairs = 1.0}).technique.size(), 3U);
+}
+
+TEST_F(Interleaved, WarmsTheReferenceUpOnlyIfThatIsShort) {
+  run({.pairs = 1, .maxSecondsOfWarmUp = 0.05});
+  EXPECT_EQ(order_, "AAB");
 }
 
 TEST_F(Interleaved, GoesOnWhileTheRatioIsUncertain) {

@@ -1,11 +1,12 @@
 "use strict";
 
-// "1.52x" and "97.0 100.0" sort by their first number, "-" comes last, names sort as text.
-function compareCells(a, b) {
+// "1.52x" and "97.0 100.0" sort by their first number, names as text. "-", what was not measured, comes last in both
+// directions.
+function compareCells(a, b, direction) {
+  if (a === "-" || b === "-") return (a === "-") - (b === "-");
   const x = parseFloat(a), y = parseFloat(b);
-  if (!Number.isNaN(x) && !Number.isNaN(y)) return x - y;
-  if (Number.isNaN(x) !== Number.isNaN(y)) return Number.isNaN(x) ? 1 : -1;
-  return a.localeCompare(b, undefined, { numeric: true });
+  const areNumbers = !Number.isNaN(x) && !Number.isNaN(y);
+  return direction * (areNumbers ? x - y : a.localeCompare(b, undefined, { numeric: true }));
 }
 
 function sortBy(heading) {
@@ -14,7 +15,7 @@ function sortBy(heading) {
   const direction = heading.getAttribute("aria-sort") === "ascending" ? -1 : 1;
   const text = row => (row.cells[column] ? row.cells[column].textContent : "");
   const body = table.tBodies[0];
-  const rows = Array.from(body.rows).sort((a, b) => direction * compareCells(text(a), text(b)));
+  const rows = Array.from(body.rows).sort((a, b) => compareCells(text(a), text(b), direction));
   body.append(...rows);
   for (const other of table.tHead.rows[0].cells) other.removeAttribute("aria-sort");
   heading.setAttribute("aria-sort", direction > 0 ? "ascending" : "descending");
@@ -33,15 +34,23 @@ function setUpView(view) {
   stage.addEventListener("pointerdown", follow);
   stage.addEventListener("pointermove", event => { if (event.buttons) follow(event); });
   stage.addEventListener("dragstart", event => event.preventDefault());
-  for (const button of view.querySelectorAll(".choice button"))
+  for (const button of view.querySelectorAll("[data-show]"))
     button.addEventListener("click", () => show(view, button.dataset.show));
+  const naturalSize = view.querySelector(".natural-size");
+  naturalSize.addEventListener("click", () =>
+    naturalSize.setAttribute("aria-pressed", String(view.classList.toggle("natural"))));
 }
 
+// Only pairs of pictures meet at a line.
 function show(view, what) {
-  for (const part of view.querySelectorAll(".extra, .legend")) part.hidden = !part.classList.contains(what || "none");
-  for (const button of view.querySelectorAll(".choice button"))
+  for (const part of view.querySelectorAll("[data-part]")) part.hidden = part.dataset.part !== what;
+  for (const button of view.querySelectorAll("[data-show]"))
     button.setAttribute("aria-pressed", String(button.dataset.show === what));
+  const isPair = view.querySelector(`.mres[data-part=${what}]`) !== null;
+  view.querySelector(".stage").classList.toggle("pair", isPair);
+  view.querySelector(".split").hidden = !isPair;
 }
 
-for (const heading of document.querySelectorAll(".sortable th")) heading.addEventListener("click", () => sortBy(heading));
+for (const button of document.querySelectorAll(".sortable th button"))
+  button.addEventListener("click", () => sortBy(button.parentElement));
 document.querySelectorAll(".view").forEach(setUpView);

@@ -5,8 +5,9 @@
 
 namespace host {
 
-Illumination::Illumination(const Scene& scene, const mres::gl::ShaderLibrary& library, int shadowMapSize)
-    : lights_(scene.lights), shadow_(library, lights_.sun(), shadowMapSize) {
+Illumination::Illumination(const Scene& scene, const mres::gl::ShaderLibrary& library,
+                           ShadowMapNeeds shadowMap)
+    : lights_(scene.lights), shadow_(library, lights_.shadowCaster(), shadowMap) {
   const mres::params::EnvironmentParams environment = environmentParams(scene);
   ambient_ = {glm::vec3(environment.ambientAbove), glm::vec3(environment.ambientBelow)};
   environment_.upload(environment);
@@ -15,7 +16,7 @@ Illumination::Illumination(const Scene& scene, const mres::gl::ShaderLibrary& li
 void Illumination::update(const GpuScene& scene, const Camera& camera, const CameraView& view, float aspect,
                           mres::gl::Profiler& profiler) {
   shadow_.draw(scene, camera, view, aspect, profiler);
-  others_.upload(lights_.params(view.origin));
+  lightBlock_.upload(lights_.params(view.origin));
 }
 
 void Illumination::connect(const mres::gl::Program& program) {
@@ -27,7 +28,7 @@ void Illumination::connect(const mres::gl::Program& program) {
 void Illumination::bind() const {
   shadow_.bind();
   environment_.bind(bindings::kEnvironment);
-  others_.bind(bindings::kLights);
+  lightBlock_.bind(bindings::kLights);
 }
 
 }  // namespace host

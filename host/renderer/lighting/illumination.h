@@ -6,11 +6,11 @@
 
 namespace host {
 
-/// Everything that shines on the scene, for every program that includes host/shading.glsl: the sun and its
-/// shadow map, the lights without shadows, ambient light and sky.
+/// Everything that shines on the scene, for every program that includes host/shading.glsl: the lights, the
+/// shadow map of one of them, ambient light and sky.
 class Illumination {
  public:
-  Illumination(const Scene& scene, const mres::gl::ShaderLibrary& library, int shadowMapSize);
+  Illumination(const Scene& scene, const mres::gl::ShaderLibrary& library, ShadowMapNeeds shadowMap);
 
   /// Brings the shadow map and the lights' positions up to date for a camera.
   void update(const GpuScene& scene, const Camera& camera, const CameraView& view, float aspect,
@@ -30,7 +30,7 @@ class Illumination {
   ShadowPass shadow_;
   AmbientLight ambient_;
   mres::gl::UniformBuffer<mres::params::EnvironmentParams> environment_;
-  mres::gl::UniformBuffer<mres::params::LightParams> others_;
+  mres::gl::UniformBuffer<mres::params::LightParams> lightBlock_;
 };
 
 }  // namespace host

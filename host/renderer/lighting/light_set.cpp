@@ -11,10 +11,6 @@ float brightness(const Light& light) {
   return luminance(light.color) * light.intensity;
 }
 
-bool isSun(const Light& light) {
-  return light.type == LightType::directional;
-}
-
 /// Scale and offset of the cosine between the cone's axis and a point, so that the share of light is 1 inside
 /// of the inner cone and 0 outside of the outer one (KHR_lights_punctual, "Inner and Outer Cone Angles").
 glm::vec2 coneOf(const Light& light) {
@@ -35,29 +31,37 @@ glm::vec3 directionOf(const Light& light) {
 
 }  // namespace
 
-LightSet::LightSet(std::vector<Light> lights) : others_(std::move(lights)) {
-  std::erase_if(others_, [](const Light& light) { return brightness(light) <= 0.0f; });
-  std::ranges::stable_sort(others_, std::ranges::greater{}, brightness);
-  if (const auto sun = std::ranges::find_if(others_, isSun); sun != others_.end()) {
-    sun_ = *sun;
-    others_.erase(sun);
+LightSet::LightSet(std::vector<Light> lights) : lights_(std::move(lights)) {
+  std::erase_if(lights_, [](const Light& light) { return brightness(light) <= 0.0f; });
+  std::ranges::stable_sort(lights_, std::ranges::greater{}, brightness);
+  for (const LightType type : {LightType::directional, LightType::spot}) {
+    const auto caster = std::ranges::find(lights_, type, &Light::type);
+    if (caster == lights_.end()) continue;
+    std::rotate(lights_.begin(), caster, caster + 1);
+    hasCaster_ = true;
+    break;
   }
-  if (others_.size() > MAX_LIGHTS) {
-    leftOut_ = others_.size() - MAX_LIGHTS;
-    others_.resize(MAX_LIGHTS);
+  if (lights_.size() > MAX_LIGHTS) {
+    leftOut_ = lights_.size() - MAX_LIGHTS;
+    lights_.resize(MAX_LIGHTS);
   }
+}
+
+std::optional<Light> LightSet::shadowCaster() const {
+  return hasCaster_ ? std::optional(lights_.front()) : std::nullopt;
 }
 
 mres::params::LightParams LightSet::params(glm::vec3 origin) const {
   mres::params::LightParams params{};
-  for (std::size_t i = 0; i < others_.size(); ++i) {
-    const Light& light = others_[i];
+  for (std::size_t i = 0; i < lights_.size(); ++i) {
+    const Light& light = lights_[i];
     const glm::vec2 cone = coneOf(light);
     params.lightPosition[i] = glm::vec4(light.position - origin, reachOf(light));
     params.lightIntensity[i] = glm::vec4(light.color * light.intensity, cone.x);
     params.lightDirection[i] = glm::vec4(directionOf(light), cone.y);
   }
-  params.lightCount = static_cast<int>(others_.size());
+  params.lightCount = static_cast<int>(lights_.size());
+  params.shadowedLights = hasCaster_ ? 1 : 0;
   return params;
 }
 

@@ -13,19 +13,19 @@ class LightSet {
  public:
   explicit LightSet(std::vector<Light> lights);
 
-  /// The brightest directional light: the one that casts shadows.
-  [[nodiscard]] const std::optional<Light>& sun() const { return sun_; }
-  /// All others, the brightest ones first, no more than the shader takes.
-  [[nodiscard]] const std::vector<Light>& others() const { return others_; }
+  /// The one that casts shadows: the brightest directional light or, without one, the brightest spot light.
+  [[nodiscard]] std::optional<Light> shadowCaster() const;
+  /// That one first, then the brightest ones first, no more than the shader takes.
+  [[nodiscard]] const std::vector<Light>& lights() const { return lights_; }
   /// How many lights were left out for want of room.
   [[nodiscard]] std::size_t leftOut() const { return leftOut_; }
 
-  /// The others, relative to `origin`.
+  /// Relative to `origin`.
   [[nodiscard]] mres::params::LightParams params(glm::vec3 origin) const;
 
  private:
-  std::optional<Light> sun_;
-  std::vector<Light> others_;
+  std::vector<Light> lights_;
+  bool hasCaster_ = false;
   std::size_t leftOut_ = 0;
 };
 

@@ -9,15 +9,15 @@ namespace host {
 namespace {
 
 /// In the order of their units.
-constexpr std::array kScreenTextures = {"depthTexture",           "albedoTexture",        "normalTexture",
-                                        "geometricNormalTexture", "materialTexture",      "emissiveTexture",
-                                        "accessibilityTexture",   "sunVisibilityTexture", "indirectTexture"};
+constexpr std::array kScreenTextures = {"depthTexture",           "albedoTexture",     "normalTexture",
+                                        "geometricNormalTexture", "materialTexture",   "emissiveTexture",
+                                        "accessibilityTexture",   "visibilityTexture", "indirectTexture"};
 
 }  // namespace
 
 LightingPass::LightingPass(const mres::gl::ShaderLibrary& library)
     : program_(library, {"common/full_screen.vert", "host/lighting.frag", ""}),
-      hasSunVisibility_(program_.uniformLocation("hasSunVisibility")),
+      hasVisibility_(program_.uniformLocation("hasVisibility")),
       hasIndirect_(program_.uniformLocation("hasIndirect")),
       indirectScale_(program_.uniformLocation("indirectScale")),
       nearest_(mres::gl::makeSampler(mres::gl::Filter::nearest)) {
@@ -39,12 +39,12 @@ void LightingPass::draw(const GBufferTextures& gbuffer, const LightingInputs& in
   apply(RenderState{});
   glUseProgram(program_.id());
   const ScreenEffects& effects = inputs.effects;
-  glUniform1i(hasSunVisibility_, effects.sunVisibility != 0 ? 1 : 0);
+  glUniform1i(hasVisibility_, effects.visibility != 0 ? 1 : 0);
   glUniform1i(hasIndirect_, effects.indirect != 0 ? 1 : 0);
   glUniform1f(indirectScale_, 1.0f / inputs.exposure);
-  const std::array textures = {gbuffer.depth,           gbuffer.albedo,        gbuffer.normal,
-                               gbuffer.geometricNormal, gbuffer.material,      gbuffer.emissive,
-                               effects.accessibility,   effects.sunVisibility, effects.indirect};
+  const std::array textures = {gbuffer.depth,           gbuffer.albedo,     gbuffer.normal,
+                               gbuffer.geometricNormal, gbuffer.material,   gbuffer.emissive,
+                               effects.accessibility,   effects.visibility, effects.indirect};
   static_assert(std::tuple_size_v<decltype(textures)> == kScreenTextures.size());
   GLuint unit = bindings::kFirstScreenTexture;
   for (const GLuint texture : textures) mres::gl::bindTexture(unit++, texture, nearest_);

@@ -9,7 +9,7 @@
 
 namespace host {
 
-/// What the effects add, and the exposure that their radiances were multiplied by.
+/// What the effects add, and the scene's exposure, which their radiances were multiplied by.
 struct LightingInputs {
   ScreenEffects effects;
   float exposure = 1.0f;
@@ -30,7 +30,7 @@ class LightingPass {
 
  private:
   mres::gl::Program program_;
-  GLint hasSunVisibility_;
+  GLint hasVisibility_;
   GLint hasIndirect_;
   GLint indirectScale_;
   mres::gl::RenderTarget target_;

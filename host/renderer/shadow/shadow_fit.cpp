@@ -9,8 +9,8 @@
 namespace host {
 namespace {
 
-/// Texels beyond what is seen on each side: the reach of the filter (shaders/host/sun_shadow.glsl) and of the
-/// shift along the normal, and one for snapping.
+/// Texels beyond what is seen on each side: the reach of the host's own filter (shaders/host/sun_shadow.glsl)
+/// and of its shift along the normal, and one for snapping.
 constexpr double kMarginTexels = 8.0;
 /// The size of the map grows by this factor at a time.
 constexpr double kExtentStep = 1.125;
@@ -61,17 +61,17 @@ LightBounds boundsInLight(std::span<const glm::vec3> points, const glm::dmat3& w
 
 }  // namespace
 
-glm::mat4 ShadowFit::clipMatrix(glm::vec3 origin) const {
+ShadowView ShadowFit::view(int mapSize) const {
   const glm::dvec3 centre(corner + extent * 0.5, (nearest + farthest) * 0.5);
   const glm::dvec3 scale(2.0 / extent, 2.0 / extent, -2.0 / (nearest - farthest));  // the sun's side is near
   glm::dmat4 matrix(1.0);
   for (int column = 0; column < 3; ++column) matrix[column] = glm::dvec4(worldToLight[column] * scale, 0.0);
-  matrix[3] = glm::dvec4((worldToLight * glm::dvec3(origin) - centre) * scale, 1.0);
-  return {matrix};
+  matrix[3] = glm::dvec4(-centre * scale, 1.0);
+  return {.clipFromWorld = matrix, .texelMetres = extent / mapSize};
 }
 
 std::optional<ShadowFit> fitShadow(const Camera& camera, const CameraView& view, float aspect,
-                                   const Bounds& scene, glm::vec3 directionToSun, int mapSize) {
+                                   const Bounds& scene, glm::vec3 directionToSun, ShadowMapNeeds needs) {
   const Bounds box = moved(scene, -view.origin);
   const Corners boxCorners = cornersOf(box);
   const Corners seen = frustumCorners(camera, view, aspect, farthestDistance(camera, view, boxCorners));
@@ -82,19 +82,20 @@ std::optional<ShadowFit> fitShadow(const Camera& camera, const CameraView& view,
   ShadowFit fit{.worldToLight = lightRotation(directionToSun)};
   const glm::dvec3 origin(view.origin);
   const LightBounds receiverBounds = boundsInLight(receivers, fit.worldToLight, origin);
-  const LightBounds casterBounds = boundsInLight(boxCorners, fit.worldToLight, origin);
+  const LightBounds casterBounds = boundsInLight(cornersOf(scene), fit.worldToLight, glm::dvec3(0.0));
 
   const glm::dvec2 needed(receiverBounds.max - receiverBounds.min);
-  const double inner = std::max({needed.x, needed.y, 1e-3});
+  const double inner = std::max({needed.x, needed.y, 1e-3}) + 2.0 * static_cast<double>(needs.reach);
   const double stepped = std::pow(kExtentStep, std::ceil(std::log(inner) / std::log(kExtentStep)));
-  const double texel = stepped / (mapSize - 2.0 * kMarginTexels);
-  fit.extent = texel * mapSize;
+  const double texel = stepped / (needs.size - 2.0 * kMarginTexels);
+  fit.extent = texel * needs.size;
   const glm::dvec2 centred = glm::dvec2(receiverBounds.min) + (needed - fit.extent) * 0.5;
   fit.corner = glm::round(centred / texel) * texel;
 
   const double margin = kMarginTexels * texel;
+  // The whole scene's depths, since these stay the same wherever the camera is.
   fit.nearest = casterBounds.max.z + margin;
-  fit.farthest = receiverBounds.min.z - margin;
+  fit.farthest = casterBounds.min.z - margin;
   return fit;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "host/renderer/camera_view.h"
+#include "host/renderer/shadow/shadow_view.h"
 
 namespace host {
 
@@ -16,16 +17,18 @@ struct ShadowFit {
   double farthest = 0.0;  ///< from the sun: the smallest z
   double nearest = 1.0;
 
-  /// World relative to `origin` to clip space of the shadow map.
-  [[nodiscard]] glm::mat4 clipMatrix(glm::vec3 origin) const;
-
-  bool operator==(const ShadowFit&) const = default;
+  [[nodiscard]] ShadowView view(int mapSize) const;
 };
 
-/// Fits a map of `mapSize` texels a side. It stands still under small movements of the camera: its size grows
-/// in steps, its corner moves by whole texels, so that shadow edges don't shimmer. Nothing if the camera sees
-/// nothing of the scene.
+/// What a shadow map is made for.
+struct ShadowMapNeeds {
+  int size = 2048;     ///< texels a side, at least 64
+  float reach = 0.0f;  ///< metres across the light that filters see beyond a surface
+};
+
+/// Fits a map. It stands still under small movements of the camera: its size grows in steps, its corner moves
+/// by whole texels, so that shadow edges don't shimmer. Nothing if the camera sees nothing of the scene.
 std::optional<ShadowFit> fitShadow(const Camera& camera, const CameraView& view, float aspect,
-                                   const Bounds& scene, glm::vec3 directionToSun, int mapSize);
+                                   const Bounds& scene, glm::vec3 directionToSun, ShadowMapNeeds needs);
 
 }  // namespace host

@@ -52,7 +52,7 @@ Hemisphere hemisphereOver(Surface surface, float radius, float bias) {
 
     over.mipOfRadius = log2(radius * pixelsPerMetre / over.clipOrigin.z) - kFullResolutionReach;
     over.fade = 1.0 / (3.0 * radius * radius);
-    over.rise = radius * bias;
+    over.rise = radius * bias + surface.depthStep * abs(dot(surface.normal, normalize(surface.position)));
     over.lastMip = float(pyramidLevels - 1);
     over.lastPixel = vec2(size) - 0.5;
     return over;
@@ -60,7 +60,9 @@ Hemisphere hemisphereOver(Surface surface, float radius, float bias) {
 
 // What the depth buffer shows where a point of the hemisphere is.
 struct Sight {
-    ivec2 pixel;     // of the full resolution
+    int mip;         // of the depth pyramid
+    ivec2 texel;     // of that mip
+    ivec2 pixel;     // of the full resolution: the one whose depth the texel holds
     vec3 toSurface;  // from the hemisphere's origin, metres
     float blocked;   // 0..1: whether the surface hides the point
 };
@@ -68,12 +70,12 @@ struct Sight {
 // `point`: xyz in the unit hemisphere around +Z; w = log2 of its length.
 Sight lookAt(vec4 point, Hemisphere over) {
     vec4 projected = over.clipOrigin + over.clipX * point.x + over.clipY * point.y + over.clipZ * point.z;
-    int mip = int(clamp(over.mipOfRadius + point.w, 0.0, over.lastMip));
     ivec2 pixel = ivec2(clamp(projected.xy / projected.z, vec2(0.0), over.lastPixel));
-    ivec2 texel = min(pixel >> mip, (size >> mip) - 1);
-    float depth = texelFetch(depthPyramid, texel, mip).r;
     Sight sight;
-    sight.pixel = (texel << mip) + ((1 << mip) >> 1);
+    sight.mip = int(clamp(over.mipOfRadius + point.w, 0.0, over.lastMip));
+    sight.texel = min(pixel >> sight.mip, (size >> sight.mip) - 1);
+    sight.pixel = (sight.texel << sight.mip) + ((1 << sight.mip) >> 1);
+    float depth = texelFetch(depthPyramid, sight.texel, sight.mip).r;
     sight.toSurface = unproject(vec2(sight.pixel) + 0.5, depth) - over.origin;
     float distance2 = dot(sight.toSurface, sight.toSurface);
     bool inFront = depth < projected.w && dot(sight.toSurface, over.axisZ) > over.rise;

@@ -1,5 +1,5 @@
-// The sun's shadow: percentage-closer filtering (Reeves et al. 1987) with a tent of 5 x 5 texels.
-#include "host/sun_params.h"
+// Shadows by the host itself: percentage-closer filtering (Reeves et al. 1987) with a tent of 5 x 5 texels.
+#include "host/shadow_params.h"
 
 uniform sampler2DShadow shadowMap;
 
@@ -15,15 +15,17 @@ void tentTaps(float fraction, out vec3 offsets, out vec3 weights) {
     weights /= 12.0;
 }
 
-// 1 where the sun is seen, 0 in shadow. `normal` is the geometric one.
-float sunVisibility(vec3 position, vec3 normal) {
+// 1 where the light is seen, 0 in shadow. `normal` is the geometric one, `toLight` has unit length.
+float shadowMapVisibility(vec3 position, vec3 normal, vec3 toLight) {
     // Moving the point along its normal keeps a surface from shadowing itself (Holbert 2011, "Saving shadows"). At a
     // distance r across the light a plane is r tan(angle) nearer to it; a shift s along the normal brings the point
     // s / cos(angle) nearer; so s = r sin(angle) is just enough for a filter that reaches r.
-    float cosine = dot(normal, directionToSun.xyz);
+    float cosine = dot(normal, toLight);
     float sine = sqrt(max(1.0 - cosine * cosine, 0.0));
-    vec3 shifted = position + normal * (kNormalOffsetTexels * shadowTexelMetres * sine);
-    vec3 place = (worldToShadow * vec4(shifted, 1.0)).xyz;
+    float texelMetres = shadowTexelMetres * (worldToShadow * vec4(position, 1.0)).w;
+    vec4 shifted = worldToShadow * vec4(position + normal * (kNormalOffsetTexels * texelMetres * sine), 1.0);
+    if (shifted.w <= 0.0) return 1.0;  // behind a spot light
+    vec3 place = shifted.xyz / shifted.w;
     if (any(lessThan(place, vec3(0.0))) || any(greaterThan(place, vec3(1.0)))) return 1.0;
 
     vec2 texel = place.xy / shadowTexel - 0.5;

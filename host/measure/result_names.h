@@ -1,0 +1,21 @@
+// What the tables, plots and pages call a report and its results.
+#pragma once
+
+#include <string>
+
+#include "host/measure/report.h"
+
+namespace host {
+
+/// "hall 0".
+std::string viewOf(const Json& result);
+/// "1920x1080".
+std::string sizeOf(const Json& result);
+double megapixels(const Json& result);
+/// "ssao, 64 samples".
+std::string workOf(const Json& result);
+
+/// "83 minutes" that all results took; empty for reports that do not tell.
+std::string durationOf(const Json& report);
+
+}  // namespace host

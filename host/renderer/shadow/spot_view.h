@@ -1,0 +1,14 @@
+#pragma once
+
+#include <optional>
+
+#include "host/renderer/shadow/shadow_view.h"
+#include "host/scene/scene.h"
+
+namespace host {
+
+/// A spot light's view of the scene: its cone, as far as light and scene reach. Nothing if none of the scene
+/// is there.
+std::optional<ShadowView> spotView(const Light& light, const Bounds& scene, int mapSize);
+
+}  // namespace host
