@@ -134,11 +134,14 @@ def stages(report, _folder, _page):
 
 
 def plots(_report, folder, page):
+    drawn = sorted((folder / "plots").glob("*.svg"))
+    if not drawn:
+        return None  # without gnuplot, those on the page stay
     target = page.parent / "results" / folder.name
     shutil.rmtree(target, ignore_errors=True)
     target.mkdir(parents=True)
     lines = []
-    for plot in sorted((folder / "plots").glob("*.svg")):
+    for plot in drawn:
         shutil.copyfile(plot, target / plot.name)
         lines.append(f"![{plot.stem.replace('-', ' ')}](results/{folder.name}/{plot.name})\n")
     return "\n".join(lines)
@@ -151,7 +154,8 @@ def update(reports, page):
     def block(match):
         begin, kind, name, end = match.groups()
         report = read_report(reports / name)
-        return f"{begin}\n{KINDS[kind](report, reports / name, page)}\n{end}" if report else match[0]
+        text = KINDS[kind](report, reports / name, page) if report else None
+        return match[0] if text is None else f"{begin}\n{text}\n{end}"
 
     page.write_text(BLOCK.sub(block, page.read_text()))
 

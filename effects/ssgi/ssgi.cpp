@@ -74,7 +74,7 @@ void validate(const SsgiInputs& inputs) {
 
 struct Ssgi::Resources {
   void setPoints(int count, int seed);
-  void bindSenders(GLuint radiance, glm::ivec2 size);
+  void bindSenders(GLuint radiance, glm::ivec2 size, bool areSeen);
 
   gl::UniformBuffer<params::SsgiParams> params;
   gl::UniformBuffer<params::SsgiPoints> points;  // all of them in a texture take a tenth more time
@@ -92,13 +92,14 @@ void Ssgi::Resources::setPoints(int count, int seed) {
   morePoints = makePointTexture(std::span(all).subspan(inBlock));
 }
 
-void Ssgi::Resources::bindSenders(GLuint radiance, glm::ivec2 size) {
+void Ssgi::Resources::bindSenders(GLuint radiance, glm::ivec2 size, bool areSeen) {
   // Without a lit picture the shader still reads senders, and drivers warn of none: any complete texture will
   // do.
   if (radiance == 0) return gl::bindTexture(kSendersUnit, morePoints.id(), nearest);
   const gl::BoundTexture picture("SsgiInputs::radiance", kSendersUnit, radiance, nearest);
   picture.requireSize(size, "Frame::size is");
   picture.requireChannels(3);
+  if (!areSeen) return gl::bindTexture(kSendersUnit, morePoints.id(), nearest);
   if (!senders) senders.emplace(kSendersUnit, kParamsBinding);
   senders->draw(size);
 }
@@ -151,7 +152,7 @@ void Ssgi::bind(const Frame& frame) {
   resources_->params.upload(makeParams(settings_, inputs_));
   resources_->params.bind(kParamsBinding);
   gl::bindTexture(kPointsUnit, resources_->morePoints.id(), resources_->nearest);
-  resources_->bindSenders(inputs_.radiance, frame.size);
+  resources_->bindSenders(inputs_.radiance, frame.size, settings_.intensity > 0.0f);
 }
 
 }  // namespace mres

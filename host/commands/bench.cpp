@@ -45,8 +45,9 @@ Examples:
   mres bench --suite paper -o out            the evaluation of the paper, at most 100 minutes on two cores, and at 1920x1080
                                              the errors against thousands of samples and ray tracing
   mres bench --suite paper -o out --resume   goes on after an interruption
+  mres bench --suite paper --scenes models -o out
+                                             the same of your own scenes, up to eight cameras of each
   mres bench -o out --report                 measures nothing, draws what there is
-  mres bench --scenes models -o out          the same of your own scenes, up to eight cameras of each
 
 The folder gets results.json (after every measurement), plots/ as SVG where gnuplot is installed, pictures/, and
 report.html, which shows them all. An interruption leaves results.json and pictures/ of what was measured: --resume goes

@@ -143,12 +143,15 @@ std::string stageShares(const std::vector<Json>& results) {
              names.size() + 1);
 }
 
-/// Nothing but what drawSvg() leaves.
-void removePlots(const fs::path& folder) {
-  std::error_code ignored;  // what cannot be removed will not be written either, which is told then
+/// What drawSvg() left of older reports.
+void removeOthers(const fs::path& folder, const std::vector<Plot>& plots) {
+  const auto isDrawn = [&](const fs::path& file) {
+    return std::ranges::any_of(plots, [&](const Plot& plot) { return plot.file.stem() == file.stem(); });
+  };
+  std::error_code ignored;  // an old plot that cannot be removed is on no page
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
     if (const fs::path type = entry.path().extension(); type == ".svg" || type == ".gp")
-      fs::remove(entry.path(), ignored);
+      if (!isDrawn(entry.path())) fs::remove(entry.path(), ignored);
 }
 
 struct PlotScript {
@@ -171,7 +174,6 @@ std::optional<std::vector<Plot>> drawPlots(const Json& report, const fs::path& d
       {"stages", "Where the technique's time goes", stageShares(results)}};
   const fs::path folder = "plots";
   const OutputDirectory output(directory / folder);
-  removePlots(output.path());
   std::vector<Plot> plots;
   for (const auto& [name, title, commands] : scripts) {
     if (commands.empty()) continue;
@@ -180,6 +182,7 @@ std::optional<std::vector<Plot>> drawPlots(const Json& report, const fs::path& d
       return std::nullopt;
     plots.push_back({folder / file, title});
   }
+  removeOthers(output.path(), plots);
   return plots;
 }
 

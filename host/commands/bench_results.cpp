@@ -48,9 +48,17 @@ Json resumedFrom(const fs::path& file, const Json& empty) {
   return report;
 }
 
+/// The first that is free of results.previous.json, results.previous-2.json, ...
+fs::path freeNameFor(const fs::path& file) {
+  fs::path name = fs::path(file).replace_extension(".previous.json");
+  for (int number = 2; fs::exists(name); ++number)
+    name = fs::path(file).replace_extension(fmt::format(".previous-{}.json", number));
+  return name;
+}
+
 /// Hours of measuring are not to be lost for a forgotten --resume.
 void setAside(const fs::path& file) {
-  const fs::path previous = fs::path(file).replace_extension(".previous.json");
+  const fs::path previous = freeNameFor(file);
   std::error_code error;
   fs::rename(file, previous, error);
   if (error)

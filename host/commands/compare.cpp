@@ -78,7 +78,7 @@ class CompareRun {
                             [&](double share, const std::string& what) {
                               show(0.9 * share, fmt::format("camera {}: {}", camera, what));
                             });
-    measurement.settings = settingsTable(settings_).values();
+    measurement.settings = valuesOf(settings_);
     const fs::path folder = pictureFolder(cameras_.size(), camera);
     const OutputDirectory directory(options_.output / folder);
     measurement.pictures = picturesBelow(

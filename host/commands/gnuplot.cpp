@@ -37,6 +37,8 @@ set linetype 9 linecolor rgb "#882255" linewidth 2 pointtype 10
 set linetype 10 linecolor rgb "#117733" linewidth 2 pointtype 12
 set linetype 11 linecolor rgb "#332288" linewidth 2 pointtype 1
 set linetype 12 linecolor rgb "#999933" linewidth 2 pointtype 2
+set linetype 13 linecolor rgb "#aa4499" linewidth 2 pointtype 3
+set linetype 14 linecolor rgb "#88ccee" linewidth 2 pointtype 6
 )";
 
 /// Redirections of a child's streams.

@@ -8,8 +8,8 @@
 
 namespace host {
 
-/// gnuplot commands; empty where no point would be a mean of several views. A view that has more points than
-/// all have together is drawn besides. Figures 6 and 5 of the paper.
+/// gnuplot commands; empty where no point would be a mean of several views. One view that has more points
+/// than all have together is drawn besides. Figures 6 and 5 of the paper.
 std::string meanSpeedupBySize(const std::vector<Json>& timedResults);
 std::string meanSpeedupBySamples(const std::vector<Json>& timedResults);
 

@@ -77,6 +77,12 @@ SettingsTable settingsTable(PictureSettings& settings) {
   return table;
 }
 
+Json valuesOf(PictureSettings& settings) {
+  Json values = settingsTable(settings).values();
+  if (!settings.importance.empty()) values["importance"] = settings.importance;
+  return values;
+}
+
 std::string describeSettings() {
   std::string text;
   for (const std::string& effect : effectNames()) {
@@ -121,6 +127,10 @@ void addPictureOptions(CLI::App& command, PictureOptions& options) {
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   addText(
+      command, "--importance", "FILE", [&settings](const std::string& file) { settings.importance = file; },
+      "picture over the screen, black to white: where to refine, besides or instead of at edges, see "
+      "combination");
+  addText(
       command, "--shaders", "DIR",
       [&settings](const std::string& folder) {
         settings.renderer.shaderDirectory = parseShaderFolder(folder);
@@ -147,8 +157,11 @@ void addTimingOptions(CLI::App& command, TimingOptions& options, const std::stri
   RepeatPlan& plan = options.repeat;
   CLI::Option* repeat = addText(
       command, "--repeat", "N", [&plan](const std::string& text) { plan.pairs = parseRepeat(text); },
-      fmt::format("timed repetitions (default: {} to {}, until {} is known within {:.0f} %, or for {} s)",
-                  plan.minPairs, plan.maxPairs, figure, plan.precision * 100.0, plan.maxSeconds));
+      fmt::format("timed repetitions (default: {} to {}, until {} is known within {:.0f} %, or for {} s; "
+                  "fewer where {} would take "
+                  "longer than {} s)",
+                  plan.minPairs, plan.maxPairs, figure, plan.precision * 100.0, plan.maxSeconds,
+                  plan.minPairs, plan.maxSecondsOfMinPairs));
   command
       .add_flag_callback(
           "--no-timing", [&options] { options.timing = false; }, "take no times")

@@ -16,7 +16,8 @@ struct PictureOptions {
   PictureSettings settings;
   bool json = false;
 };
-/// --effect, --technique, --samples, --seed, --set, --shaders and --json. `options` must outlive the command.
+/// --effect, --technique, --samples, --seed, --set, --importance, --shaders and --json. `options` must
+/// outlive the command.
 void addPictureOptions(CLI::App& command, PictureOptions& options);
 
 struct ViewOptions {
@@ -41,6 +42,9 @@ void addTimingOptions(CLI::App& command, TimingOptions& options, const std::stri
 
 /// The settings that --set knows.
 SettingsTable settingsTable(PictureSettings& settings);
+
+/// The values of those, and what else a picture depends on, for its report.
+Json valuesOf(PictureSettings& settings);
 
 /// All settings with defaults and meanings, for the end of a command's help.
 std::string describeSettings();

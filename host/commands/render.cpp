@@ -78,7 +78,7 @@ class PictureMaker {
   Measurement measure() {
     PictureSettings settings = options_.picture.settings;
     Measurement measurement = describePicture(scene_, settings, *options_.view.camera, options_.view.size);
-    measurement.settings = settingsTable(settings).values();
+    measurement.settings = valuesOf(settings);
     measurement.pictures["picture"] = options_.output.string();
     measurement.warnings = warnings();
     if (options_.isTimed()) measurement.times.emplace().technique = timeEffect();

@@ -4,6 +4,7 @@
 #include <map>
 #include <string_view>
 
+#include "host/image/image_file.h"
 #include "host/measure/statistics.h"
 
 namespace host {
@@ -65,6 +66,19 @@ mres::MultiResolution makeMultiResolution(const PictureSettings& settings, mres:
   return multiResolution;
 }
 
+/// From the first channel of a picture.
+mres::gl::Texture2D importanceTexture(const std::string& file) {
+  if (file.empty()) return {};
+  const FloatImage image = readImage(file);
+  std::vector<float> values;
+  values.reserve(static_cast<std::size_t>(image.size.x) * static_cast<std::size_t>(image.size.y));
+  for (int row = image.size.y - 1; row >= 0; --row)
+    for (int column = 0; column < image.size.x; ++column)
+      values.push_back(
+          image.pixels[static_cast<std::size_t>((row * image.size.x + column) * image.channels)]);
+  return {GL_R32F, image.size, "host.importance", 1, values.data()};
+}
+
 /// The stages of a few frames.
 std::vector<std::vector<StageCost>> inspectFrames(EffectInstance& instance, const mres::Frame& frame) {
   std::vector<std::vector<StageCost>> frames;
@@ -98,7 +112,14 @@ StageClock stageClockOf(bool softwareRasterizer) {
 }
 
 EffectInstance::EffectInstance(const PictureSettings& settings, mres::Technique technique, Coverage coverage)
-    : effect_(makeEffect(settings)), multiResolution_(makeMultiResolution(settings, technique, coverage)) {}
+    : effect_(makeEffect(settings)),
+      multiResolution_(makeMultiResolution(settings, technique, coverage)),
+      importance_(importanceTexture(settings.importance)) {}
+
+GLuint EffectInstance::render(mres::Frame frame) {
+  frame.importance = importance_.id();
+  return multiResolution_.render(*effect_, frame);
+}
 
 mres::Frame frameOf(const Renderer& renderer, const GBufferTextures& gbuffer, glm::ivec2 size) {
   mres::Frame frame;

@@ -4,6 +4,7 @@
 
 #include "host/measure/measurement.h"
 #include "host/measure/picture_settings.h"
+#include "mres/gl/texture.h"
 
 namespace host {
 
@@ -14,6 +15,7 @@ class EffectInstance {
   /// Measuring the coverage of levels costs a little: instances that are timed don't.
   enum class Coverage { unmeasured, measured };
 
+  /// Throws std::runtime_error with a sentence if the settings' importance cannot be read.
   EffectInstance(const PictureSettings& settings, mres::Technique technique, Coverage coverage);
 
   /// Before a frame's render().
@@ -21,13 +23,14 @@ class EffectInstance {
 
   [[nodiscard]] int channels() const { return effect_->description().channels; }
 
-  /// The texture of the effect's values.
-  GLuint render(const mres::Frame& frame) { return multiResolution_.render(*effect_, frame); }
+  /// The texture of the effect's values. The frame's importance is that of the settings.
+  GLuint render(mres::Frame frame);
   mres::MultiResolution& multiResolution() { return multiResolution_; }
 
  private:
   std::unique_ptr<mres::Effect> effect_;
   mres::MultiResolution multiResolution_;
+  mres::gl::Texture2D importance_;
 };
 
 /// What the renderer drew last, as mres wants it.

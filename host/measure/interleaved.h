@@ -28,14 +28,14 @@ using Timer = std::function<RunTime(const Work&)>;
 /// the most pairs or the most seconds are reached, whichever comes first.
 struct RepeatPlan {
   std::optional<int> pairs = std::nullopt;  ///< exactly so many, at least 1; of one work alone, runs
-  int minPairs = 5;                         ///< fewer say little about a median
+  int minPairs = 6;                         ///< fewer say little about a median
   int maxPairs = 31;
   double maxSeconds = 20.0;  ///< of timed work
   /// Fewer than `minPairs` are enough if another one would take the time beyond this; one is timed always.
   double maxSecondsOfMinPairs = 60.0;
   double precision = 0.05;  ///< half of the interval's width, relative to the ratio
   /// Each is run until this has passed, to compile its shaders and allocate. The reference is not if the
-  /// technique's run alone took longer than `maxSecondsOfWarmUp`: of work so long the first run tells
+  /// technique's run alone took longer than `maxSecondsOfWarmUp`: of work so long warming up changes
   /// nothing.
   double warmUpSeconds = 0.1;
   double maxSecondsOfWarmUp = 1.0;

@@ -58,7 +58,7 @@ struct Measurement {
   std::string stagesClock;                ///< what the stages were timed with
   std::vector<SkippedPart> skipped;
   std::size_t gpuBytes = 0;
-  double seconds = 0.0;               ///< that all of it took, pictures written and scene loaded
+  double seconds = 0.0;  ///< that all of it took, writing pictures and, where it had to be, loading the scene
   Json pictures = Json::object();     ///< what a picture shows -> its file, relative to the report
   std::vector<std::string> warnings;  ///< warningsOf() it
 };

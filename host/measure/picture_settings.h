@@ -21,6 +21,7 @@ struct PictureSettings {
   mres::SoftShadowSettings softShadows;
   mres::SsgiSettings ssgi;
   RendererSettings renderer;
+  std::string importance;  ///< picture whose first channel is mres::Frame::importance; empty: none
 };
 
 inline constexpr const char* kSsaoEffect = "ssao";

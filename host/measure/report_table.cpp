@@ -59,13 +59,14 @@ std::vector<std::string> namesOf(const Json& result) {
           result["effect"].get<std::string>(), result["samples"].dump()};
 }
 
-/// Half of the speedup's interval, where there are enough pairs for one.
+/// How far the speedup's interval reaches to either side at most, where there are enough pairs for one.
 std::string uncertainty(const Json& result) {
   const Json& interval = result["speedup_interval"];
   if (interval.is_null() || result["time_ms"]["runs"].get<std::size_t>() < RatioEstimate::kLeastPairs)
     return "-";
-  const double half = 0.5 * (interval[1].get<double>() - interval[0].get<double>());
-  return fmt::format("{:.1f}", half / result["speedup"].get<double>() * 100.0);
+  const auto speedup = result["speedup"].get<double>();
+  const double most = std::max(interval[1].get<double>() - speedup, speedup - interval[0].get<double>());
+  return fmt::format("{:.1f}", most / speedup * 100.0);
 }
 
 std::string runsText(const Json& result) {

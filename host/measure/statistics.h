@@ -24,8 +24,8 @@ double mean(std::span<const double> values);
 
 /// A ratio of two medians and an interval for it.
 struct RatioEstimate {
-  /// Of fewer pairs, not even the range covers the median with 90 % (it is 1 - 2^(1 - pairs)).
-  static constexpr std::size_t kLeastPairs = 5;
+  /// Of fewer pairs, not even the range covers the median with 95 %: it does with 1 - 2^(1 - pairs).
+  static constexpr std::size_t kLeastPairs = 6;
 
   double ratio = 0.0;
   double low = 0.0;

@@ -7,7 +7,7 @@ namespace host {
 
 /// What screen-space effects add to the lighting: textures of the picture's size, 0 for none.
 struct ScreenEffects {
-  GLuint accessibility = 0;  ///< red 0..1 multiplies the ambient light
+  GLuint accessibility = 0;  ///< red 0..1 multiplies the ambient light; unused with `indirect`
   GLuint visibility =
       0;                ///< red 0..1 multiplies the light that casts shadows, in place of the renderer's own
   GLuint indirect = 0;  ///< irradiance / pi times Renderer::exposure(), in place of diffuse ambient light;

@@ -55,7 +55,7 @@ Receiver receiverAt(Surface surface) {
     receiver.slope *= min(kSteepestTexelSlope / steepness, 1.0);
     receiver.steeper = max(1.0 - kSteepestTexelSlope / steepness, 0.0);
     receiver.distance = w;
-    receiver.uncertainty = surface.depthStep * abs(dot(normal, normalize(position)));
+    receiver.uncertainty = surface.uncertainty;
     vec3 toLight = light.w == 0.0 ? light.xyz : light.xyz - position;
     receiver.facesLight = dot(toLight, normal) > 0.0;
     receiver.inMap = w > 0.0 && all(greaterThanEqual(window, vec3(0.0))) && all(lessThanEqual(window, vec3(1.0)));
@@ -93,7 +93,7 @@ Disk diskAround(Receiver receiver, float radius, float azimuth) {
     Disk disk;
     disk.texelsFromUnit = mat2(c * reach.x, s * reach.y, -s * reach.x, c * reach.y);
     disk.depthFromTexels = receiver.slope / shadowMapSize;
-    disk.centre = receiver.place * shadowMapSize + offPlane(receiver, disk.depthFromTexels, reach.x);
+    disk.centre = receiver.place * shadowMapSize + offPlane(receiver, disk.depthFromTexels, max(reach.x, reach.y));
     disk.depth = receiver.depth - depthBias(receiver, reach.x);
     return disk;
 }
@@ -154,7 +154,8 @@ vec4 shade(Surface surface) {
 }
 
 // The least and the largest value that shade() may have here, by few samples: equal where the light is seen wholly or not
-// at all. With PCSS shade()'s disk may be as small as a texel, and its bias with it: then lower rises block as well.
+// at all. With PCSS shade()'s disk may be as small as a texel, and its bias with it: then lower rises block as well. (Beyond
+// 88 degrees, where it also moves off the plane by less, the bounds are a little too narrow: there is hardly any light.)
 vec2 preview(Surface surface) {
     Receiver receiver = receiverAt(surface);
     float visibility;

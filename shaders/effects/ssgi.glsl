@@ -10,8 +10,8 @@
 // is seen, and where all radiance is 1 the result is at most 1.
 //
 // A point far from the pixel reads a mip of depth, a texel of which has the place and the normal of a single pixel. What
-// is sent is the mean over all pixels of the texel that face as that one does (see ssgi_senders.frag): a highlight of one
-// pixel counts as one pixel wherever it is, neither a thousandfold nor not at all.
+// is sent is about the mean over the pixels of the texel that face as that one does (see ssgi_senders.frag), so that a
+// highlight of one pixel counts neither a thousandfold nor, mostly, not at all.
 #include "effects/common/hemisphere.glsl"
 #include "effects/ssgi_params.h"
 

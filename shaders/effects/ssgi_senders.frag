@@ -2,7 +2,7 @@
 // What surfaces send in SSGI: the lit picture, made safe and averaged, at half the resolution and its mips. A texel of
 // level l is, as one of mip l + 1 of the depth pyramid, a block of 2^(l + 1) x 2^(l + 1) pixels. It goes with the depth and
 // the normal of one of them, so only surfaces that face alike count: else a floor would, by way of the foot of a wall, be
-// lit by itself. FROM_PICTURE: level 0; each other level averages the one before.
+// lit by itself; where its own pixel is sky, all surfaces count. FROM_PICTURE: level 0; each other level averages the one before.
 #include "effects/ssgi_params.h"
 #include "mres/frame.glsl"
 
@@ -38,6 +38,7 @@ ivec2 ownPixel(ivec2 texel, int mip) { return min((texel << mip) + ((1 << mip) >
 void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy);
     ivec2 pixel = ownPixel(texel, level + 1);
+    bool own = isSurface(pixel);
     vec3 normal = viewNormal(pixel);
     ivec2 lastPart = textureSize(source, max(level - 1, 0)) - 1;
     vec4 part = vec4(0.0);
@@ -46,10 +47,10 @@ void main() {
     for (int i = 0; i < 4; ++i) {
         ivec2 place = min(2 * texel + ivec2(i & 1, i >> 1), lastPart);
         part = partAt(place);
-        bool counts = part.a > 0.0 && dot(viewNormal(ownPixel(place, level)), normal) > kAlike;
+        bool counts = part.a > 0.0 && (!own || dot(viewNormal(ownPixel(place, level)), normal) > kAlike);
         sum += counts ? part.rgb : vec3(0.0);
         count += counts ? 1.0 : 0.0;
     }
     // The last part has the texel's own pixel; it stands for a surface too thin to be met anywhere else.
-    fragment = vec4(count > 0.0 ? sum / count : part.rgb, isSurface(pixel) ? 1.0 : 0.0);
+    fragment = vec4(count > 0.0 ? sum / count : part.rgb, own ? 1.0 : 0.0);
 }

@@ -12,8 +12,18 @@ layout(location = 0) out vec4 fragment;
 #if REFINABLE
 layout(location = 1) out float refine;
 
-float largest(float v) { return v; }
+#if EFFECT_CHANNELS == 1
+float shownDifference(float value, float coarser) { return abs(value - coarser); }
+#else
+const float kDarkestRadiance = 0.05;
+
 float largest(vec3 v) { return max(v.r, max(v.g, v.b)); }
+
+// Of radiances the eye sees the ratio; in the dark there is little to see.
+float shownDifference(vec3 value, vec3 coarser) {
+    return largest(abs(value - coarser)) / max(largest(value), kDarkestRadiance);
+}
+#endif
 #endif
 
 void main() {
@@ -29,7 +39,7 @@ void main() {
     float alpha = min(texture(maskTexture, maskCoordinate(fullPixel)).r * blendWeight, 1.0);
     Value coarser = VALUE(texture(coarserTexture, coarserCoordinate(fullPixel)));
 #if REFINABLE
-    refine = largest(abs(value - coarser)) > refineThreshold ? 1.0 : 0.0;
+    refine = shownDifference(value, coarser) > refineThreshold ? 1.0 : 0.0;
 #endif
     // So written that neither equal values nor a full weight round.
     if (alpha < 1.0) value = coarser + (value - coarser) * alpha;

@@ -27,6 +27,11 @@ float viewDepthRoundingAt(float windowDepth) {
     return depthRoundingAt(windowDepth) * depthSlope() / (root * root);
 }
 
+// How a pixel's point moves with a metre of its view depth.
+vec3 perViewDepth(vec2 pixel) {
+    return vec3(pixel * unprojectScaled.xy + unprojectScaled.zw, -1.0);
+}
+
 // View-space position of a point given by its pixel coordinates (centres at + 0.5) and view depth.
 vec3 unproject(vec2 pixel, float viewDepth) {
     vec2 xy = viewDepth * (pixel * unprojectScaled.xy + unprojectScaled.zw)

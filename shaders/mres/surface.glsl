@@ -6,7 +6,7 @@ struct Surface {
     vec3 position;     // view space, metres
     vec3 normal;       // view space, unit length
     float depth;       // view depth, metres
-    float depthStep;   // metres of view depth by which the depth texture's rounding may move the surface
+    float uncertainty;  // metres along the normal by which the depth texture's rounding may move the surface
     vec2 pixel;        // full-resolution pixel coordinates, centres at + 0.5
     ivec2 levelPixel;  // the level's own pixel, for repeating patterns
     bool background;   // no surface here: what shade() returns is replaced
@@ -20,8 +20,8 @@ Surface fetchSurface(ivec2 levelPixel) {
     surface.pixel = vec2(fullPixel) + 0.5;
     surface.levelPixel = levelPixel;
     surface.depth = viewDepthOf(windowDepth);
-    surface.depthStep = viewDepthRoundingAt(windowDepth);
     surface.position = unproject(surface.pixel, surface.depth);
     surface.normal = viewNormal(fullPixel);
+    surface.uncertainty = viewDepthRoundingAt(windowDepth) * abs(dot(surface.normal, perViewDepth(surface.pixel)));
     return surface;
 }

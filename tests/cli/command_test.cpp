@@ -287,6 +287,18 @@ TEST_F(Command, TheShadowMapsSizeIsASetting) {
   EXPECT_EQ(untimedComparison({"--set", "shadowMapSize=256"})["settings"]["shadowMapSize"], 256);
 }
 
+TEST_F(Command, AnImportanceSaysWhereToRefine) {
+  const std::string left = folder_ / "left.png";
+  writeImage(left, {{2, 1}, 1, {1.0f, 0.0f}});
+  const json either = untimedComparison({"--importance", left, "--set", "refineThreshold=0"});
+  const json both =
+      untimedComparison({"--importance", left, "--set", "refineThreshold=0", "--set", "combination=1"});
+  const json edges = untimedComparison({"--set", "refineThreshold=0"});
+  EXPECT_GT(either["coverage"][0], edges["coverage"][0]);
+  EXPECT_LT(both["coverage"][0], edges["coverage"][0]);
+  EXPECT_EQ(either["settings"]["importance"], left);
+}
+
 TEST_F(Command, ShadersOfAFolderWin) {
   writeFile(folder_.path() / "shaders/effects/ssao.glsl",
             "vec4 shade(Surface surface) { return vec4(1.0); }\n");

@@ -77,6 +77,10 @@ class UpdateResults(unittest.TestCase):
     def test_tells_how_far_both_are_from_truth(self):
         self.assertIn("| ssao 4, 64×36 | ray traced, 256 rays | 2 | 0.1000 | 0.1200 | +20.0 % |", self.page("truth"))
 
+    def test_keeps_old_plots_where_none_were_drawn(self):
+        (self.reports / "made-up/plots/speedup-by-size.svg").unlink()
+        self.assertIn("old", self.page("plots"))
+
     def test_keeps_the_plots_of_a_report_in_its_folder(self):
         stale = self.folder / "results/made-up/stale.svg"
         stale.parent.mkdir(parents=True)

@@ -62,6 +62,7 @@ glm::dvec3 SsgiReference::meanSent(glm::ivec2 texel, int mip) const {
   };
   const glm::ivec2 lastPart =
       mip == 1 ? lit_.size - 1 : glm::max((lit_.size + 1) / 2 / (1 << (mip - 2)), glm::ivec2(1)) - 1;
+  const bool own = !hemisphere_.isBackground(ownPixel(texel, mip));
   const glm::dvec3 normal = hemisphere_.normalOf(ownPixel(texel, mip));
   glm::dvec3 part(0.0);
   glm::dvec3 sum(0.0);
@@ -70,7 +71,8 @@ glm::dvec3 SsgiReference::meanSent(glm::ivec2 texel, int mip) const {
     const glm::ivec2 place = glm::min(2 * texel + glm::ivec2(i % 2, i / 2), lastPart);
     const glm::ivec2 pixel = ownPixel(place, mip - 1);
     part = meanSent(place, mip - 1);
-    if (hemisphere_.isBackground(pixel) || !(glm::dot(hemisphere_.normalOf(pixel), normal) > 0.5)) continue;
+    if (hemisphere_.isBackground(pixel)) continue;
+    if (own && !(glm::dot(hemisphere_.normalOf(pixel), normal) > 0.5)) continue;
     sum += part;
     ++count;
   }

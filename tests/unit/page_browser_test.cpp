@@ -33,6 +33,9 @@ const clip = () => getComputedStyle(stage.querySelector(".mres")).clipPath.match
 point("pointerdown", 0.25);
 found.push("right of the line " + clip());
 point("pointermove", 0.5);
+found.push("then " + clip() + ", slider at " + view.querySelector(".split").value);
+view.querySelector(".split").value = 20;
+view.querySelector(".split").dispatchEvent(new Event("input"));
 found.push("then " + clip());
 const shown = () => {
   const isVisible = part => part.offsetParent !== null;
@@ -123,7 +126,7 @@ TEST_F(PageInBrowser, ComparesSortsAndLogsNothing) {
   if (std::system("command -v chromium > /dev/null") != 0) GTEST_SKIP() << "chromium is not installed";
   const std::string seen = browse();
   EXPECT_THAT(seen,
-              HasSubstr("<title>right of the line 75%; then 50%; "
+              HasSubstr("<title>right of the line 75%; then 50%, slider at 50; then 80%; "
                         "full resolution+multi-resolution with a line; "
                         "the effect at full resolution+the effect, multi-resolution with a line; level map; "
                         "full resolution+multi-resolution with a line; "

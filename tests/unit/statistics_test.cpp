@@ -35,7 +35,7 @@ TEST(Summary, KeepsTheExtremesAndTheCount) {
 }
 
 TEST(RatioOfMedians, IsExactForTimesThatDoNotVary) {
-  const RatioEstimate estimate = ratioOfMedians(std::vector(5, 6.0), std::vector(5, 2.0));
+  const RatioEstimate estimate = ratioOfMedians(std::vector(6, 6.0), std::vector(6, 2.0));
   EXPECT_EQ(estimate.ratio, 3.0);
   EXPECT_EQ(estimate.low, 3.0);
   EXPECT_EQ(estimate.high, 3.0);
@@ -130,7 +130,7 @@ TEST_F(Interleaved, WarmsUpUntilTheClocksHaveSettled) {
 }
 
 TEST_F(Interleaved, StopsAtTheLeastCountWhenTheRatioIsKnown) {
-  EXPECT_EQ(run({}).technique.size(), 5U);
+  EXPECT_EQ(run({}).technique.size(), 6U);
   EXPECT_EQ(speedupOf(run({})).ratio, 2.0);
 }
 
@@ -148,7 +148,7 @@ TEST_F(Interleaved, WarmsTheReferenceUpOnlyIfThatIsShort) {
 
 TEST_F(Interleaved, GoesOnWhileTheRatioIsUncertain) {
   jitter_ = 50.0;
-  EXPECT_GT(run({.maxPairs = 9, .maxSeconds = 1e9}).technique.size(), 5U);
+  EXPECT_GT(run({.maxPairs = 9, .maxSeconds = 1e9}).technique.size(), 6U);
 }
 
 TEST_F(Interleaved, EndsWhenItsTimeIsUp) {
@@ -161,8 +161,8 @@ TEST_F(Interleaved, OneWorkAloneIsTimedUntilItsMedianIsKnown) {
     order_.clear();
     return timeAlone([this] { order_ += 'A', timer_.nextMs = techniqueMs(); }, std::ref(timer_), plan).size();
   };
-  EXPECT_EQ(count({}), 5U);
-  EXPECT_EQ(order_, "AAAAAA") << "one to warm up";
+  EXPECT_EQ(count({}), 6U);
+  EXPECT_EQ(order_, "AAAAAAA") << "one to warm up";
   EXPECT_EQ(count({.pairs = 2}), 2U);
   jitter_ = 50.0;
   EXPECT_GT(count({.maxPairs = 9, .maxSeconds = 1e9}), 5U);

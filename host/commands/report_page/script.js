@@ -27,6 +27,7 @@ function setUpView(view) {
   const moveLine = () => stage.style.setProperty("--split", split.value + "%");
   split.addEventListener("input", moveLine);
   const follow = event => {
+    if (!stage.classList.contains("pair")) return;
     const box = stage.getBoundingClientRect();
     split.value = (100 * (event.clientX - box.left)) / box.width;
     moveLine();

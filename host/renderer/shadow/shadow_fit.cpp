@@ -9,8 +9,8 @@
 namespace host {
 namespace {
 
-/// Texels beyond what is seen on each side: the reach of the host's own filter (shaders/host/sun_shadow.glsl)
-/// and of its shift along the normal, and one for snapping.
+/// Texels beyond what is seen on each side: the reach of the host's own filter
+/// (shaders/host/shadow_lookup.glsl) and of its shift along the normal, and one for snapping.
 constexpr double kMarginTexels = 8.0;
 /// The size of the map grows by this factor at a time.
 constexpr double kExtentStep = 1.125;

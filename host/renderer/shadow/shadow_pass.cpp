@@ -9,7 +9,7 @@
 namespace host {
 namespace {
 
-// The filter's reach is answered by the shift along the normal (shaders/host/sun_shadow.glsl); these cover
+// The filter's reach is answered by the shift along the normal (shaders/host/shadow_lookup.glsl); these cover
 // the rounding of depths: one texel's slope, and a few of the format's steps.
 constexpr float kSlopeScaledOffset = 1.0f;
 constexpr float kConstantOffset = 4.0f;

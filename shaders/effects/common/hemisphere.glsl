@@ -52,7 +52,7 @@ Hemisphere hemisphereOver(Surface surface, float radius, float bias) {
 
     over.mipOfRadius = log2(radius * pixelsPerMetre / over.clipOrigin.z) - kFullResolutionReach;
     over.fade = 1.0 / (3.0 * radius * radius);
-    over.rise = radius * bias + surface.depthStep * abs(dot(surface.normal, normalize(surface.position)));
+    over.rise = radius * bias + surface.uncertainty;
     over.lastMip = float(pyramidLevels - 1);
     over.lastPixel = vec2(size) - 0.5;
     return over;
