@@ -84,6 +84,10 @@ class Effect {
   /// MultiResolution::render() passes on with the host's state put back.
   virtual void bind(const Frame& frame) = 0;
 
+  /// The value where there is no surface, in this frame. Where detail is too thin for a coarse level, it
+  /// takes part of its value from what lies behind: let that be what the effect is in the open.
+  [[nodiscard]] virtual glm::vec4 background() const { return description().background; }
+
   /// Of GPU memory that the effect itself holds, such as targets that bind() draws into.
   [[nodiscard]] virtual std::size_t bytes() const { return 0; }
 };

@@ -128,7 +128,6 @@ const EffectDescription& Ssgi::description() const {
                                               .shader = "effects/ssgi.glsl",
                                               .shaders = effects::embeddedShaders(),
                                               .channels = 3,
-                                              .background = glm::vec4(0.0f),
                                               .filtered = true,
                                               .readsPyramid = true};
   return kDescription;
@@ -139,6 +138,11 @@ void Ssgi::setUp(const gl::Program& program) {
   program.setBlockBinding("SsgiPoints", kPointsBinding);
   program.setTextureUnit("morePoints", kPointsUnit);
   program.setTextureUnit("senders", kSendersUnit);
+}
+
+/// What an upright surface in the open receives.
+glm::vec4 Ssgi::background() const {
+  return {0.5f * (inputs_.environmentAbove + inputs_.environmentBelow), 0.0f};
 }
 
 std::size_t Ssgi::bytes() const {

@@ -69,6 +69,7 @@ class Ssgi final : public Effect {
   [[nodiscard]] const LevelTable& levels() const override { return settings_.levels; }
   void setUp(const gl::Program& program) override;
   void bind(const Frame& frame) override;
+  [[nodiscard]] glm::vec4 background() const override;
   [[nodiscard]] std::size_t bytes() const override;
 
  private:

@@ -20,6 +20,7 @@ class GridEffect final : public mres::Effect {
   [[nodiscard]] const mres::LevelTable& levels() const override { return effect_->levels(); }
   void setUp(const mres::gl::Program& program) override { effect_->setUp(program); }
   void bind(const mres::Frame& frame) override { effect_->bind(frame); }
+  [[nodiscard]] glm::vec4 background() const override { return effect_->background(); }
   [[nodiscard]] std::size_t bytes() const override { return effect_->bytes(); }
 
  private:

@@ -19,9 +19,7 @@ EffectPass::EffectPass(const gl::ShaderLibrary& library, const EffectDescription
     : description_(description), program_(compile(library)) {}
 
 gl::Program EffectPass::compile(const gl::ShaderLibrary& library) const {
-  gl::Program program = makeEffectProgram(library, effect(), "mres/effect_level.frag");
-  glUniform4fv(program.uniformLocation("backgroundValue"), 1, &effect().background.x);
-  return program;
+  return makeEffectProgram(library, effect(), "mres/effect_level.frag");
 }
 
 void EffectPass::expectSame(const Effect& other) const {
@@ -36,10 +34,11 @@ void EffectPass::setProgram(gl::Program program) {
 }
 
 void EffectPass::setUp(Effect& effect) {
-  if (isSetUp_) return;
   glUseProgram(program_.id());
-  effect.setUp(program_);
+  if (!isSetUp_) effect.setUp(program_);
   isSetUp_ = true;
+  const glm::vec4 background = effect.background();
+  glUniform4fv(program_.uniformLocation("backgroundValue"), 1, &background.x);
 }
 
 void EffectPass::draw(PassContext& context, int level, bool zoned) {

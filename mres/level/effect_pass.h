@@ -24,7 +24,7 @@ class EffectPass {
   [[nodiscard]] gl::Program compile(const gl::ShaderLibrary& library) const;
   void setProgram(gl::Program program);
 
-  /// Lets the effect set up a program that it has not seen yet.
+  /// Lets the effect set up a program that it has not seen yet, and takes the frame's background from it.
   void setUp(Effect& effect);
 
   /// Draws the effect into the raw target of `level`: the whole of it, or its stencilled zone. Needs the

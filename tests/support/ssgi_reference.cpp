@@ -86,7 +86,8 @@ glm::dvec3 SsgiReference::sentBy(const Sight& sender) const {
 }
 
 glm::dvec3 SsgiReference::arriving(glm::ivec2 pixel) const {
-  if (hemisphere_.isBackground(pixel)) return glm::dvec3(0.0);
+  if (hemisphere_.isBackground(pixel))
+    return 0.5 * glm::dvec3(inputs_.environmentAbove + inputs_.environmentBelow);
   const std::vector<Sight> sights = hemisphere_.sightsFrom(pixel);
   glm::dvec3 sum(0.0);
   for (const Sight& sight : sights) {

@@ -25,6 +25,7 @@ class Unfiltered final : public Effect {
   [[nodiscard]] const LevelTable& levels() const override { return effect_.levels(); }
   void setUp(const gl::Program& program) override { effect_.setUp(program); }
   void bind(const Frame& frame) override { effect_.bind(frame); }
+  [[nodiscard]] glm::vec4 background() const override { return effect_.background(); }
   [[nodiscard]] std::size_t bytes() const override { return effect_.bytes(); }
 
  private:
