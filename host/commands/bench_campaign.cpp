@@ -1,10 +1,7 @@
 #include "host/commands/bench_campaign.h"
 
-#include <algorithm>
 #include <fmt/format.h>
 #include <iostream>
-#include <iterator>
-#include <ranges>
 #include <stdexcept>
 #include <utility>
 
@@ -64,7 +61,7 @@ const Json& Campaign::run() {
 
 std::vector<std::string> Campaign::incompleteScenes() const {
   std::vector<std::string> names;
-  std::ranges::copy(std::views::keys(leftOut_), std::back_inserter(names));
+  for (const auto& [scene, reasons] : leftOut_) names.push_back(scene);
   return names;
 }
 

@@ -29,7 +29,7 @@ Json parse(const fs::path& file) {
 
 /// Why `report` cannot be gone on with by what makes `empty` reports; nothing if it can.
 std::string obstacleOf(const Json& report, const Json& empty) {
-  if (const std::string fault = faultOf(report); !fault.empty()) return fault;
+  if (std::string fault = faultOf(report); !fault.empty()) return fault;
   if (report.at("machine") != empty.at("machine")) return "it was measured on another machine";
   if (report.at("version") != empty.at("version"))
     return fmt::format("it was measured by mres {}, and this is {}", report.at("version").get<std::string>(),
