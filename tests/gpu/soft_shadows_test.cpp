@@ -225,7 +225,7 @@ class Penumbra : public SoftShadowsTest {
 };
 
 TEST_F(Penumbra, IsRefined) {
-  const glm::ivec2 size(256, 192);
+  const glm::ivec2 size(320, 240);
   for (const LitScene& scene : scenesWithPenumbras()) {
     const SyntheticGBuffer gbuffer(size, perspective(size), scene.receivers);
     const SyntheticShadow shadow(scene.casters, scene.light, kMapSize);
@@ -242,7 +242,7 @@ TEST_F(Penumbra, IsRefined) {
       ++penumbra;
       coarse += levels.at(pixel, 0) < 0.5f ? 1 : 0;  // full resolution is red
     }
-    EXPECT_GT(penumbra, 100) << scene.name;
+    EXPECT_GT(penumbra, 200) << scene.name;
     EXPECT_LE(coarse, penumbra / 100) << scene.name;
   }
 }
