@@ -48,7 +48,7 @@ struct EffectDescription {
                ///< Where it returns a NaN or an infinity the picture gets the background's value.
   std::span<const gl::ShaderFile> shaders;  ///< Files that `shader` needs beyond those of mres.
   int channels = 1;                         ///< 1 (result GL_R16F) or 3 (result GL_RGBA16F)
-  glm::vec4 background{1.0f};               ///< The value where there is no surface.
+  glm::vec4 background{1.0f};               ///< Effect::background(), unless that says otherwise.
   bool filtered =
       true;  ///< Noise of a repeating 4x4 pattern, removed by the depth-aware filter of each level.
   /// Wants the mips of view depth, `uniform sampler2D depthPyramid`, read by texelFetch(): texel t of mip m
