@@ -7,9 +7,11 @@
 
 namespace mres {
 
-/// Table 1 of Besenthal, Maisch and Ropinski 2019, column SSGI: the half level is not used.
+/// Table 1 of Besenthal, Maisch and Ropinski 2019, column SSGI, and the half level, which is not used there:
+/// folds and mouldings that the quarter level misses break up into blocks without it. The table itself has
+/// level 1 not used.
 inline constexpr LevelTable kSsgiLevels = {
-    {{true, 0.924f, 1000.0f}, {false, 0.0f, 1.0f}, {true, 0.924f, 100.0f}, {true, 0.0f, 1.0f}}};
+    {{true, 0.924f, 1000.0f}, {true, 0.924f, 100.0f}, {true, 0.924f, 100.0f}, {true, 0.0f, 1.0f}}};
 
 struct SsgiSettings {
   float radius = 1.0f;  ///< metres, [0, 100]. Reach of the occlusion and of the bounce.

@@ -67,7 +67,7 @@ const CompositePass::ZonePrograms& CompositePass::programsOf(const LevelTargets&
 void CompositePass::drawOutsideZone(PassContext& context, const LevelTargets& level, const ZoneInputs& inputs,
                                     const gl::Texture2D& zone) {
   const gl::Scope scope(context.profiler, "mres.upsample");
-  gl::bindTexture(kSourceUnit, zone.id(), context.nearest);
+  gl::bindTexture(kZoneUnit, zone.id(), context.nearest);
   gl::bindTexture(kCoarserUnit, inputs.coarser->id(), context.linear);
   level.composed().bind();
   startZone();
@@ -76,12 +76,14 @@ void CompositePass::drawOutsideZone(PassContext& context, const LevelTargets& le
   glDisable(GL_STENCIL_TEST);
 }
 
-void CompositePass::drawZone(PassContext& context, const LevelTargets& level, const ZoneInputs& inputs) {
+void CompositePass::drawZone(PassContext& context, const LevelTargets& level, const ZoneInputs& inputs,
+                             const gl::Texture2D& zone) {
   const gl::Texture2D& source = filterAlongX(context, level);
   const gl::Scope scope(context.profiler, "mres.composite");
   gl::bindTexture(kSourceUnit, source.id(), context.nearest);
   gl::bindTexture(kCoarserUnit, inputs.coarser->id(), context.linear);
   gl::bindTexture(kMaskUnit, inputs.mask->id(), context.linear);
+  gl::bindTexture(kZoneUnit, zone.id(), context.linear);
   level.composed().bind();
   drawInZone();
   glUseProgram(programsOf(level).blend.id());

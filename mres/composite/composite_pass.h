@@ -20,7 +20,8 @@ class CompositePass {
 
   /// After the effect is drawn: the blend inside of the zone. Needs depth and normals bound too where the
   /// effect is filtered.
-  void drawZone(PassContext& context, const LevelTargets& level, const ZoneInputs& inputs);
+  void drawZone(PassContext& context, const LevelTargets& level, const ZoneInputs& inputs,
+                const gl::Texture2D& zone);
 
  private:
   const gl::Texture2D& filterAlongX(PassContext& context, const LevelTargets& level);

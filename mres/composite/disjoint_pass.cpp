@@ -18,7 +18,7 @@ void DisjointPass::startCoarsest(const LevelTargets& level) {
 void DisjointPass::drawOutsideZone(PassContext& context, const LevelTargets& level, const gl::Texture2D& zone,
                                    const gl::Texture2D& coarser, int coarserLevel) {
   const gl::Scope scope(context.profiler, "mres.upsample");
-  gl::bindTexture(kSourceUnit, zone.id(), context.nearest);
+  gl::bindTexture(kZoneUnit, zone.id(), context.nearest);
   gl::bindTexture(kCoarserUnit, coarser.id(), context.nearest);
   glUseProgram(outside_.id());
   glUniform1i(outside_.uniformLocation("coarserStride"), 1 << coarserLevel);
@@ -31,7 +31,7 @@ void DisjointPass::drawOutsideZone(PassContext& context, const LevelTargets& lev
 void DisjointPass::takeFiner(PassContext& context, const LevelTargets& level, const gl::Texture2D& finerZone,
                              int finerLevel) {
   const gl::Scope scope(context.profiler, "mres.stencil");
-  gl::bindTexture(kSourceUnit, finerZone.id(), context.nearest);
+  gl::bindTexture(kZoneUnit, finerZone.id(), context.nearest);
   glUseProgram(covered_.id());
   glUniform1i(covered_.uniformLocation("finerStride"), 1 << finerLevel);
   level.composed().bind();

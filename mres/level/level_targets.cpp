@@ -66,6 +66,10 @@ params::LevelParams levelParams(const LevelNeighbours& level, glm::ivec2 fullSiz
   params.maskFromPixel =
       1.0f / (static_cast<float>(2 * stride) * glm::vec2(levelSize(fullSize, level.level.index + 1)));
   params.blendWeight = level.level.settings.blendWeight;
+  const glm::ivec2 blocks = (level.level.size + ZONE_BLOCK - 1) / ZONE_BLOCK;
+  params.zoneFromPixel = 1.0f / static_cast<float>(ZONE_BLOCK) / glm::vec2(blocks);
+  // Half a block from the border a bilinear sample sees the zone alone; on the border, half of it.
+  params.zoneFade = level.limited ? 2.0f : 0.0f;
   if (level.finer != nullptr) {
     // Of what shows, a level sees a quarter of what the next finer one does.
     params.refineThreshold = std::ldexp(refineThreshold, -2 * level.finer->index);

@@ -10,12 +10,12 @@ gl::Program makePassProgram(const gl::ShaderLibrary& library, const char* fragme
   program.setTextureUnit("normalTexture", kNormalUnit);
   program.setTextureUnit("sourceTexture", kSourceUnit);
   program.setTextureUnit("levelTexture", kSourceUnit);
-  program.setTextureUnit("zoneTexture", kSourceUnit);
+  program.setTextureUnit("zoneTexture", kZoneUnit);
   program.setTextureUnit("depthPyramid", kSourceUnit);
   program.setTextureUnit("coarserTexture", kCoarserUnit);
   program.setTextureUnit("maskTexture", kMaskUnit);
   program.setTextureUnit("finerMaskTexture", kMaskUnit);
-  program.setTextureUnit("refineTexture", kRefineUnit);
+  program.setTextureUnit("refineTexture", kZoneUnit);
   program.setBlockBinding("FrameParams", kFrameBlock);
   program.setBlockBinding("LevelParams", kLevelBlock);
   program.setBlockBinding("EdgesParams", kPassBlock);

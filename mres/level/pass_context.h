@@ -17,10 +17,10 @@ enum TextureUnit : GLuint {
   kSourceUnit = 2,
   kCoarserUnit = 3,
   kMaskUnit = 4,
-  kRefineUnit = 5
+  kZoneUnit = 5  ///< the zone, or the refinement that it is made of
 };
 
-static_assert(kRefineUnit < kEffectTextureUnit, "an effect's textures stay bound while levels are composed");
+static_assert(kZoneUnit < kEffectTextureUnit, "an effect's textures stay bound while levels are composed");
 
 /// Uniform blocks; an effect's own start at kEffectBlockBinding.
 enum BlockBinding : GLuint { kFrameBlock = 0, kLevelBlock = 1, kPassBlock = 2 };

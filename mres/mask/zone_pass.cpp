@@ -12,7 +12,7 @@ void ZonePass::draw(PassContext& context, const PlannedLevel& level, const ZoneI
   const glm::ivec2 size = (level.size + ZONE_BLOCK - 1) / ZONE_BLOCK;
   if (target.size() != size) target = gl::RenderTarget(size, {GL_R8}, 0, "mres.zone");
   gl::bindTexture(kMaskUnit, inputs.mask->id(), context.linear);
-  if (inputs.refine != nullptr) gl::bindTexture(kRefineUnit, inputs.refine->id(), context.linear);
+  if (inputs.refine != nullptr) gl::bindTexture(kZoneUnit, inputs.refine->id(), context.linear);
   glUseProgram(inputs.refine != nullptr ? byMaskAndRefinement_.id() : byMask_.id());
   target.bind();
   context.triangle.draw();

@@ -28,7 +28,7 @@ void drawFinerLevel(const PlannedFrame& planned, std::size_t level) {
   drawZone(planned, level);
   planned.passes.composite.drawOutsideZone(planned.context, targets, inputs, planned.zone(level));
   drawEffect(planned, level);
-  planned.passes.composite.drawZone(planned.context, targets, inputs);
+  planned.passes.composite.drawZone(planned.context, targets, inputs, planned.zone(level));
 }
 
 void drawBlendedLevels(const PlannedFrame& planned) {

@@ -19,6 +19,8 @@ struct PlannedFrame {
   [[nodiscard]] bool hasMasks() const { return plan.levels.size() > 1; }
   [[nodiscard]] bool isDisjoint() const { return settings.mask.disjoint && hasMasks(); }
   [[nodiscard]] LevelRole roleOf(std::size_t planned) const;
+  /// Whether the coarser level has a say in where a level renders.
+  [[nodiscard]] bool isProgressive(std::size_t planned) const;
   [[nodiscard]] ZoneInputs zoneInputs(std::size_t planned) const;
 
   /// Makes the targets and uploads the blocks of all levels.

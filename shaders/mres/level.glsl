@@ -19,6 +19,10 @@ float largestAtCorners(sampler2D source, vec2 low, vec2 high) {
                max(texture(source, vec2(low.x, high.y)).r, texture(source, high).r));
 }
 
+vec2 zoneCoordinate(ivec2 levelPixel) {
+    return (vec2(levelPixel) + 0.5) * zoneFromPixel;
+}
+
 vec2 maskCoordinate(ivec2 fullPixel) {
     return (vec2(fullPixel) + 0.5) * maskFromPixel;
 }

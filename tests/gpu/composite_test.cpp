@@ -53,17 +53,32 @@ double reachOf(const PlannedLevel& level) {
   return level.index == 0 ? 0.0 : 1.0;
 }
 
-/// Whether a level renders the 4x4 block of `levelPixel`: its mask and, where there is one, the coarser
+/// The weight that is left next to blocks which refinement left out: none on their border, all of it half a
+/// block on.
+double zoneWeight(const Image& zone, glm::ivec2 levelPixel) {
+  return std::max(1.0 - 2.0 * (1.0 - bilinear(zone, (glm::dvec2(levelPixel) + 0.5) / 4.0)), 0.0);
+}
+
+/// Whether a level renders a block of 4x4 pixels: its mask and, where there is one, the coarser
 /// level's say are above zero somewhere in it.
-bool inZone(const PlannedLevel& level, glm::ivec2 levelPixel, const Image& mask, const Composed& coarser) {
+bool isZone(const PlannedLevel& level, glm::ivec2 block, const Image& mask, const Composed& coarser) {
   const double stride = std::exp2(level.index);
-  const glm::dvec2 low = glm::dvec2(levelPixel / 4 * 4) * stride;
+  const glm::dvec2 low = glm::dvec2(block * 4) * stride;
   const glm::dvec2 high = low + 4.0 * stride;
   if (largestIn(mask, low / (2.0 * stride), high / (2.0 * stride), 2) == 0.0) return false;
   if (coarser.refine.texels.empty()) return true;
   const double coarserStride = std::exp2(coarser.level);
   return largestIn(coarser.refine, low / coarserStride - reachOf(level),
                    high / coarserStride + reachOf(level), 3) > 0.0;
+}
+
+Image zoneOf(const PlannedLevel& level, const Image& mask, const Composed& coarser) {
+  Image zone{(level.size + 3) / 4, 1, {}};
+  for (int i = 0; i < zone.size.x * zone.size.y; ++i) {
+    const glm::ivec2 block(i % zone.size.x, i / zone.size.x);
+    zone.texels.push_back(isZone(level, block, mask, coarser) ? 1.0f : 0.0f);
+  }
+  return zone;
 }
 
 /// The weight of equation 1.
@@ -85,13 +100,15 @@ Composed composeCoarsest(const PlannedLevel& level, glm::ivec2 fullSize) {
 Composed compose(const PlannedLevel& level, glm::ivec2 fullSize, const Image& mask, const Composed& coarser,
                  double refineThreshold) {
   Composed composed{level.index, {level.size, 1, {}}, {level.size, 1, {}}};
+  const Image zone = zoneOf(level, mask, coarser);
   for (int i = 0; i < level.size.x * level.size.y; ++i) {
     const glm::ivec2 levelPixel(i % level.size.x, i / level.size.x);
     const glm::ivec2 pixel = representative(levelPixel, level.index, fullSize);
     const double below = bilinear(coarser.picture, placeIn(coarser.picture, pixel, coarser.level, fullSize));
     const double change = valueAt(pixel, level.index) - below;
-    const bool rendered = inZone(level, levelPixel, mask, coarser);
-    const double alpha = rendered ? alphaAt(level, pixel, mask) : 0.0;
+    const bool rendered = zone.at(levelPixel / 4) > 0.0f;
+    const double share = coarser.refine.texels.empty() ? 1.0 : zoneWeight(zone, levelPixel);
+    const double alpha = rendered ? alphaAt(level, pixel, mask) * share : 0.0;
     composed.picture.texels.push_back(static_cast<float>(below + change * alpha));
     composed.refine.texels.push_back(rendered && std::abs(change) > refineThreshold ? 1.0f : 0.0f);
   }

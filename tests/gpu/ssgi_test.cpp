@@ -297,13 +297,17 @@ TEST_F(SsgiTest, EveryNumberOfSamplesAgrees) {
   }
 }
 
-TEST_F(SsgiTest, RendersTheLevelsOfThePapersTable) {
+TEST_F(SsgiTest, RendersTheLevelsOfThePapersTableAndTheHalfLevel) {
   const glm::ivec2 size(129, 97);
   const SyntheticGBuffer gbuffer(size, perspective(size), room());
-  static_cast<void>(render(gbuffer, {.samples = 8}, {}, Technique::multiResolution));
-  EXPECT_THAT(multiResolution_.report().levels, testing::ElementsAre(testing::Field(&LevelReport::index, 0),
-                                                                     testing::Field(&LevelReport::index, 2),
-                                                                     testing::Field(&LevelReport::index, 3)));
+  const auto isLevel = [](int index) { return testing::Field(&LevelReport::index, index); };
+  SsgiSettings settings{.samples = 8};
+  static_cast<void>(render(gbuffer, settings, {}, Technique::multiResolution));
+  EXPECT_THAT(multiResolution_.report().levels,
+              testing::ElementsAre(isLevel(0), isLevel(1), isLevel(2), isLevel(3)));
+  settings.levels[1].used = false;
+  static_cast<void>(render(gbuffer, settings, {}, Technique::multiResolution));
+  EXPECT_THAT(multiResolution_.report().levels, testing::ElementsAre(isLevel(0), isLevel(2), isLevel(3)));
   const LevelTable& table = ssgi_.levels();
   EXPECT_EQ(table[0].maskVariance, 0.924f);
   EXPECT_EQ(table[0].blendWeight, 1000.0f);
@@ -320,7 +324,7 @@ TEST_F(SsgiTest, EdgesEverywhereGiveTheNaivePictureBitForBit) {
     const SsgiInputs inputs{.radiance = lit.texture.id(), .environmentAbove = kWhite};
     refineAtEveryEdge(multiResolution_);
     const Image mixed = render(gbuffer, {.samples = 8}, inputs, Technique::multiResolution);
-    EXPECT_EQ(multiResolution_.report().levels.size(), 3u);
+    EXPECT_EQ(multiResolution_.report().levels.size(), 4u);
     EXPECT_EQ(mixed.texels, render(gbuffer, {.samples = 8}, inputs).texels);
   }
 }
