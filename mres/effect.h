@@ -36,27 +36,28 @@ void visit(LevelSettings& settings, Visitor&& visitor) {
 
 using LevelTable = std::array<LevelSettings, kMaxLevels>;
 
-/// Table 1, column SSAO.
-inline constexpr LevelTable kSsaoLevels = {
-    {{true, 0.924f, 100.0f}, {true, 1.848f, 50.0f}, {true, 3.696f, 20.0f}, {true, 0.0f, 1.0f}}};
-
 /// The constant part of an effect.
 struct EffectDescription {
   const char* name;  ///< Unique among the effects that one MultiResolution renders, e.g. "ssao".
-  const char*
-      shader;  ///< Shader file that defines `vec4 shade(Surface surface)`; see shaders/mres/surface.glsl.
-               ///< Where it returns a NaN or an infinity the picture gets the background's value.
+  /// Shader file that defines `vec4 shade(Surface surface)`; see shaders/mres/surface.glsl. Where it returns
+  /// a NaN or an infinity the picture gets the background's value.
+  const char* shader;
   std::span<const gl::ShaderFile> shaders;  ///< Files that `shader` needs beyond those of mres.
-  int channels = 1;                         ///< 1 (result GL_R16F) or 3 (result GL_RGBA16F)
-  glm::vec4 background{1.0f};               ///< Effect::background(), unless that says otherwise.
-  bool filtered =
-      true;  ///< Noise of a repeating 4x4 pattern, removed by the depth-aware filter of each level.
+  /// 1 (result GL_R16F): a value from 0 to 1; MaskSettings::refineThreshold is a difference of such values.
+  /// 3 (result GL_RGBA16F): radiances, not negative, the picture's white near 1; refineThreshold is
+  /// Michelson's contrast of the largest channels, |a - b| / max(a + b, 0.1).
+  int channels = 1;
+  glm::vec4 background{1.0f};  ///< Effect::background(), unless that says otherwise.
+  /// What is random in shade() repeats every 4x4 pixels of Surface::levelPixel; the depth-aware filter of
+  /// each level takes the mean over these. False: no filter.
+  bool filtered = true;
   /// Wants the mips of view depth, `uniform sampler2D depthPyramid`, read by texelFetch(): texel t of mip m
   /// is the view depth of full-resolution pixel t * 2^m + 2^m / 2, 1e18 where there is no surface. Mip m has
   /// max(size >> m, 1) texels, and there are `pyramidLevels` of them (shaders/mres/frame_params.h).
   bool readsPyramid = true;
   /// `shader` also defines `vec2 preview(Surface surface)`, cheaply: the least and the largest value, 0..1,
-  /// that shade() may have there. The masks are then made of its edges.
+  /// that shade() may have there. The masks are then made of its edges; MaskSettings::geometryAlways adds
+  /// geometry's.
   bool hasPreview = false;
 };
 

@@ -29,17 +29,18 @@ enum class NormalEncoding {
 };
 
 struct Frame {
-  GLuint depth = 0;    ///< GL_TEXTURE_2D, any depth format, comparison off, `size` texels
-  GLuint normals = 0;  ///< GL_TEXTURE_2D, three or four channels, `size` texels; unit-length surface normals.
-                       ///< Those before normal mapping keep the masks small.
-  GLuint importance =
-      0;               ///< GL_TEXTURE_2D, red 0..1, any size, sampled bilinearly over the screen, e.g.
-                       ///< foveation or motion; MaskSettings::combination joins it with the edges. 0: none.
+  GLuint depth = 0;  ///< GL_TEXTURE_2D, any depth format, comparison off, `size` texels
+  /// GL_TEXTURE_2D, three or four channels, `size` texels; unit-length surface normals. Those before normal
+  /// mapping keep the masks small.
+  GLuint normals = 0;
+  /// GL_TEXTURE_2D, red 0..1, any size, sampled bilinearly over the screen, e.g. foveation or motion;
+  /// MaskSettings::combination joins it with the edges. 0: none.
+  GLuint importance = 0;
   glm::ivec2 size{0};  ///< pixels, 1..16384 each
-  glm::mat4 view{
-      1.0f};  ///< world to view; a rotation and translation. Unused if the normals are in view space.
-  glm::mat4 projection{
-      1.0f};  ///< view to clip; perspective or orthographic, may be off-centre; no oblique near plane
+  /// World to view; a rotation and translation. Unused if the normals are in view space.
+  glm::mat4 view{1.0f};
+  /// View to clip; perspective or orthographic, may be off-centre; no oblique near plane.
+  glm::mat4 projection{1.0f};
   ClipDepth clipDepth = ClipDepth::minusOneToOne;
   NormalSpace normalSpace = NormalSpace::world;
   NormalEncoding normalEncoding = NormalEncoding::unsignedXyz;

@@ -14,8 +14,8 @@ namespace mres {
 /// Fixed for the life of a MultiResolution.
 struct Options {
   gl::Profiler::Mode profiling = gl::Profiler::Mode::off;
-  bool measureCoverage =
-      false;  ///< Occlusion queries around the effect; the host must have none of its own active.
+  /// Occlusion queries around the effect; the host must have none of its own active.
+  bool measureCoverage = false;
   std::string shaderDirectory = {};  ///< Shader files found below it win over the embedded ones. Empty: none.
 };
 

@@ -20,8 +20,8 @@ struct Skip {
 struct LevelReport {
   int index = 0;  ///< 0 full, 1 half, 2 quarter, 3 eighth resolution
   glm::ivec2 size{0};
-  double coverage =
-      1.0;  ///< Share of the level's pixels in which the effect ran; needs Options::measureCoverage.
+  /// Share of the level's pixels in which the effect ran; needs Options::measureCoverage.
+  double coverage = 1.0;
 };
 
 /// What the last render() did.

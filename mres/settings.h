@@ -28,7 +28,7 @@ struct MaskSettings {
   float normalThreshold = 20.0f;  ///< degrees, [0, 180]. Neighbours' normals further apart are an edge.
   float depthThreshold = 0.05f;   ///< metres, [0, 100]. Larger steps in depth, off a plane, are an edge.
   float refineThreshold = 0.06f;  ///< [0, 1]. Least gain worth refining: a difference or, of radiances,
-                                  ///< Michelson's contrast; 0: any.
+                                  ///< Michelson's contrast (0.06: a ratio of 1.13); 0: any.
   bool geometryAlways = false;  ///< Refine at geometry's edges even for effects that find edges of their own.
   bool minMaxMips = false;  ///< Find geometry's edges by min/max mips of depth and normals, for comparison.
   bool disjoint = false;    ///< Each pixel in one level alone, for comparison; as if refineThreshold were 0.

@@ -17,11 +17,11 @@ struct SoftShadowSettings {
   int samples = 196;              ///< 1..1024. Texels of the shadow map that are compared for each pixel.
   float filterRadius = 0.06f;     ///< metres, [0, 10]. Radius of the penumbra; with PCSS the largest one.
   bool contactHardening = false;  ///< PCSS: the penumbra widens with the distance from the blocker.
-  float lightAngle =
-      0.53f;  ///< degrees, [0, 90]. Diameter of a parallel light in the sky; the sun's. PCSS only.
+  /// degrees, [0, 90]. Diameter of a parallel light in the sky; the sun's. PCSS only.
+  float lightAngle = 0.53f;
   float lightRadius = 0.05f;  ///< metres, [0, 10]. Radius of a spot light. PCSS only.
-  float bias =
-      0.1f;      ///< share of the filter's radius, [0, 1]. Lower rises over the tangent plane cast no shadow.
+  /// share of the filter's radius, [0, 1]. Lower rises over the tangent plane cast no shadow.
+  float bias = 0.1f;
   int seed = 0;  ///< [0, 65535]. Turns the samples.
   LevelTable levels = kSoftShadowLevels;
 };
@@ -48,11 +48,11 @@ void visit(SoftShadowSettings& settings, Visitor&& visitor) {
 struct ShadowInputs {
   GLuint shadowMap = 0;   ///< GL_TEXTURE_2D, any depth format; smaller depths are nearer to the light
   glm::ivec2 mapSize{0};  ///< texels, 1..16384 each
-  glm::mat4 shadowFromView{
-      1.0f};  ///< view space to texture coordinates and window depth of the map, 0..1 after
-              ///< division by w; orthographic for parallel light, else a perspective from the light
-  glm::vec4 light{0.0f, 1.0f, 0.0f, 0.0f};  ///< view space: unit direction to a parallel light and w = 0, or
-                                            ///< the position of a spot light and w = 1
+  /// view space to texture coordinates and window depth of the map, 0..1 after division by w; orthographic
+  /// for parallel light, else a perspective from the light
+  glm::mat4 shadowFromView{1.0f};
+  /// view space: unit direction to a parallel light and w = 0, or the position of a spot light and w = 1
+  glm::vec4 light{0.0f, 1.0f, 0.0f, 0.0f};
 };
 
 /// Soft shadow mapping: the share of a light that each pixel sees, 0 to 1, by percentage-closer filtering or,

@@ -9,6 +9,10 @@ namespace mres {
 
 inline constexpr int kMaxSsaoSamples = 256;
 
+/// Table 1 of Besenthal, Maisch and Ropinski 2019, column SSAO.
+inline constexpr LevelTable kSsaoLevels = {
+    {{true, 0.924f, 100.0f}, {true, 1.848f, 50.0f}, {true, 3.696f, 20.0f}, {true, 0.0f, 1.0f}}};
+
 struct SsaoSettings {
   float radius = 0.5f;  ///< metres, [0, 100]. Reach of the occlusion.
   int samples = 64;     ///< 1..256. Points per pixel; a 4x4 pattern of rotations multiplies them by sixteen.

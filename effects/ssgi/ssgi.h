@@ -7,9 +7,9 @@
 
 namespace mres {
 
-/// Table 1 of Besenthal, Maisch and Ropinski 2019, column SSGI, and the half level, which is not used there:
-/// folds and mouldings that the quarter level misses break up into blocks without it. The table itself has
-/// level 1 not used.
+/// Table 1 of Besenthal, Maisch and Ropinski 2019, column SSGI, and a half level like its quarter level. The
+/// paper has none (level 1 not used): folds and mouldings between the quarter level's pixels then break up
+/// into blocks.
 inline constexpr LevelTable kSsgiLevels = {
     {{true, 0.924f, 1000.0f}, {true, 0.924f, 100.0f}, {true, 0.924f, 100.0f}, {true, 0.0f, 1.0f}}};
 
@@ -50,7 +50,7 @@ struct SsgiInputs {
 
 /// Screen-space directional occlusion with one bounce: the mean radiance that arrives over the
 /// cosine-weighted hemisphere, irradiance / pi, in three channels. Indirect diffuse light is albedo times it.
-/// Zero where there is no surface.
+/// Where there is no surface, what an upright one receives in the open.
 class Ssgi final : public Effect {
  public:
   /// Throws std::invalid_argument if a setting is out of range.

@@ -52,29 +52,22 @@ std::string titleOf(const Json& result) {
   return fmt::format("{}, {}, {}", host::viewOf(result), workOf(result), sizeOf(result));
 }
 
-/// What the evaluation sets out to stay below.
-constexpr double kMostRms = 0.03;
-
 double rmsOf(const Json& result) {
-  return result["error"].is_null() ? 0.0 : result["error"]["rms"].get<double>();
+  return result["error"]["rms"].get<double>();
+}
+
+/// The result with the greatest RMS; null where no error was measured.
+const Json* greatestErrorOf(const Json& report) {
+  const Json* greatest = nullptr;
+  for (const Json& result : report["results"]) {
+    if (result["error"].is_null()) continue;
+    if (!greatest || rmsOf(result) > rmsOf(*greatest)) greatest = &result;
+  }
+  return greatest;
 }
 
 Object errorOf(const Json& result) {
   return Object{{"title", titleOf(result)}, {"rms", fmt::format("{:.4f}", rmsOf(result))}};
-}
-
-/// The results over kMostRms or, where none is, the one that comes nearest.
-void addErrors(Object& page, const Json& report) {
-  List great;
-  const Json* greatest = nullptr;
-  for (const Json& result : report["results"]) {
-    if (rmsOf(result) > kMostRms) great.push_back(errorOf(result));
-    if (!greatest || rmsOf(result) > rmsOf(*greatest)) greatest = &result;
-  }
-  page["limit"] = fmt::format("{}", kMostRms);
-  page["has_great_errors"] = !great.empty();
-  page["great_errors"] = great;
-  if (great.empty() && greatest) page["greatest_error"] = errorOf(*greatest);
 }
 
 /// What a view shows, by the report's names. The level map has few colours and sharp borders: no JPEG.
@@ -95,8 +88,7 @@ std::string figuresOf(const Json& result) {
   std::string text;
   if (!result["speedup"].is_null())
     text += fmt::format("{:.2f} times as fast, ", result["speedup"].get<double>());
-  return text +
-         (result["error"].is_null() ? "" : fmt::format("RMS {:.4f}", result["error"]["rms"].get<double>()));
+  return text + (result["error"].is_null() ? "" : fmt::format("RMS {:.4f}", rmsOf(result)));
 }
 
 data viewOf(const Json& result, const fs::path& folder) {
@@ -168,7 +160,9 @@ std::string makePage(const Json& report, const std::vector<Plot>& plots, const f
               {"has_warnings", !warnings.empty()},
               {"warnings", warnings},
               {"settings", settingsOf(report)}};
-  addErrors(page, report);
+  if (const std::string certainty = speedupCertainty(report); !certainty.empty())
+    page["certainty"] = certainty;
+  if (const Json* greatest = greatestErrorOf(report)) page["greatest_error"] = errorOf(*greatest);
   if (const auto truths = truthSummaryRows(report); !truths.empty())
     page["truth"] = Object{{"meaning", kTruthSummaryMeaning}, {"table", tableOf(truths)}};
   if (const std::string commit = report.value("commit", ""); !commit.empty()) page["commit"] = commit;

@@ -1,12 +1,14 @@
 #include "host/commands/bench_summary.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <fmt/format.h>
 #include <iterator>
 #include <map>
 #include <tuple>
 #include <utility>
 
+#include "host/measure/interleaved.h"
 #include "host/measure/result_names.h"
 #include "host/measure/statistics.h"
 
@@ -44,6 +46,28 @@ std::vector<std::string> cellsOf(const std::vector<double>& values, const char* 
   return cells;
 }
 
+/// What timing repeats for unless it is told otherwise.
+constexpr double kKnownWithin = RepeatPlan{}.precision;
+
+std::size_t pairsOf(const Json& timed) {
+  return timed["time_ms"]["runs"].get<std::size_t>();
+}
+
+/// Of one pair.
+double millisecondsOf(const Json& timed) {
+  return timed["time_ms"]["median"].get<double>() + timed["reference_time_ms"]["median"].get<double>();
+}
+
+bool hasKnownSpeedup(const Json& timed) {
+  const Json& interval = timed["speedup_interval"];
+  if (interval.is_null()) return false;
+  const RatioEstimate speedup{.ratio = timed["speedup"].get<double>(),
+                              .low = interval[0].get<double>(),
+                              .high = interval[1].get<double>(),
+                              .pairs = pairsOf(timed)};
+  return speedup.isKnownWithin(kKnownWithin);
+}
+
 }  // namespace
 
 std::vector<std::vector<std::string>> summaryRows(const Json& report) {
@@ -57,6 +81,23 @@ std::vector<std::vector<std::string>> summaryRows(const Json& report) {
     rows.push_back(std::move(row));
   }
   return rows;
+}
+
+std::string speedupCertainty(const Json& report) {
+  std::size_t timed = 0;
+  std::size_t known = 0;
+  const Json* slowest = nullptr;
+  for (const Json& result : report["results"]) {
+    if (result["speedup"].is_null()) continue;
+    ++timed;
+    if (hasKnownSpeedup(result)) ++known;
+    if (!slowest || millisecondsOf(result) > millisecondsOf(*slowest)) slowest = &result;
+  }
+  if (!slowest) return {};
+  const std::size_t pairs = pairsOf(*slowest);
+  return fmt::format(
+      "The speedup is known within {:.0f} % (95 % interval) for {} of {} timed pictures; the slowest has {}.",
+      kKnownWithin * 100.0, known, timed, pairs == 1 ? "one pair" : fmt::format("{} pairs", pairs));
 }
 
 }  // namespace host

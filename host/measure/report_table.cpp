@@ -76,7 +76,7 @@ std::string runsText(const Json& result) {
 std::vector<std::string> titles() {
   std::vector<std::string> row(kNames.begin(), kNames.end());
   for (const Figure& figure : figures()) row.emplace_back(figure.title);
-  row.insert(row.end(), {"runs", "+-%", "coverage %, fine to coarse"});
+  row.insert(row.end(), {"runs", "±%", "coverage %, fine to coarse"});
   return row;
 }
 

@@ -31,7 +31,7 @@ int dividedUp(int dividend, int divisor) {
 
 /// No pass has the seed of the pictures that are measured: their points would look better than they are.
 ConvergingPasses passesOf(const PictureSettings& settings, const EffectInputs& inputs) {
-  const int total = std::max(kLeastConvergedSamples, kConvergedOverPicture * sampleCount(settings));
+  const int total = convergedSamples(sampleCount(settings));
   PictureSettings many = settings;
   int passes = 1;
   visitEffect(many, [&](auto& effect) {
@@ -71,6 +71,10 @@ bool hasRayTracedTruth(const PictureSettings& settings, const EffectInputs& inpu
 }
 
 }  // namespace
+
+int convergedSamples(int samples) {
+  return std::max(kLeastConvergedSamples, kConvergedOverPicture * samples);
+}
 
 TruthFinder::TruthFinder(const Scene& scene, const PictureSettings& settings)
     : scene_(scene), settings_(settings), convergedReference_(settings.renderer.shaderDirectory) {}

@@ -9,6 +9,9 @@
 
 namespace host {
 
+/// Of the converged reference of a picture with `samples`.
+int convergedSamples(int samples);
+
 /// Finds what an effect's pictures of a scene should be, by more work than any picture may take: the effect
 /// with thousands of samples and, where that is known, light itself.
 class TruthFinder {

@@ -9,10 +9,8 @@
 namespace host {
 namespace {
 
-/// Blocks of 4x4 pixels, which llvmpipe shades at once, and of those one in fifteen: about as many pixels as
-/// a quarter level has.
 PixelGrid gridOf(glm::ivec2 size) {
-  return {.pictureSize = size, .tile = 4, .stride = {5, 3}};
+  return {.pictureSize = size, .tile = 4, .stride = kConvergedStride};
 }
 
 mres::MultiResolution makeMultiResolution(const std::string& shaderDirectory) {

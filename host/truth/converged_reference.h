@@ -20,6 +20,10 @@ struct ConvergingPasses {
   int samples = 0;  ///< a pixel in each pass
 };
 
+/// It is found in blocks of 4x4 pixels, which llvmpipe shades at once, and of those in one of so many along
+/// each axis: all in all at about as many pixels as a quarter level has.
+inline constexpr glm::ivec2 kConvergedStride{5, 3};
+
 /// An effect with so many samples that more would change little, and without its filter: what the same
 /// algorithm gives when nothing is saved. Needs a current OpenGL context.
 class ConvergedReference {

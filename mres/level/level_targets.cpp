@@ -69,7 +69,7 @@ params::LevelParams levelParams(const LevelNeighbours& level, glm::ivec2 fullSiz
   const glm::ivec2 blocks = (level.level.size + ZONE_BLOCK - 1) / ZONE_BLOCK;
   params.zoneFromPixel = 1.0f / static_cast<float>(ZONE_BLOCK) / glm::vec2(blocks);
   // Half a block from the border a bilinear sample sees the zone alone; on the border, half of it.
-  params.zoneFade = level.limited ? 2.0f : 0.0f;
+  params.zoneFade = level.progressive ? 2.0f : 0.0f;
   if (level.finer != nullptr) {
     // Of what shows, a level sees a quarter of what the next finer one does.
     params.refineThreshold = std::ldexp(refineThreshold, -2 * level.finer->index);

@@ -59,7 +59,7 @@ struct LevelNeighbours {
   const PlannedLevel& level;
   const PlannedLevel* coarser = nullptr;
   const PlannedLevel* finer = nullptr;
-  bool limited = false;  ///< whether the zone also ends where the coarser level saw no difference
+  bool progressive = false;  ///< whether the zone also ends where the coarser level saw no difference
 };
 
 /// The block of a level.

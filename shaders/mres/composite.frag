@@ -1,7 +1,7 @@
 #version 330 core
 // Second half of the filter (along y), and the blend over the coarser level:
 //   c'_i = c_i min(a_i w_i, 1) + c'_(i+1) (1 - min(a_i w_i, 1))        (equation 1; i + 1 is the coarser level)
-// A zone that ends where its mask does not, since refining did not pay there, fades over the last half of its blocks.
+// A zone that ends where refining did not pay, and not where its mask does, fades over the last half of its blocks.
 // FILTERED: whether the effect is filtered. COARSEST: there is no coarser level. REFINABLE: a finer level follows and wants
 // to know where this one changed the picture.
 #include "mres/filter.glsl"

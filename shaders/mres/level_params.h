@@ -7,19 +7,18 @@
 BEGIN_PARAMS
 
 UNIFORM_BLOCK(LevelParams) {
-  ivec2 levelSize;        // pixels of this level
-  int levelStride;        // 2^level: full-resolution pixels per pixel of this level
-  int levelHalfStride;    // half of it, 0 for full resolution
-  vec2 coarserFromPixel;  // texture coordinate in the coarser level per full-resolution pixel
-  vec2 maskFromPixel;     // texture coordinate in the mask per full-resolution pixel
-  float blendWeight;      // w_i of equation 1, [1, 1000]
-  float refineThreshold;  // difference to the coarser level above which the next finer level may render
-  vec2 refineReach;       // texture coordinates by which what the coarser level found is widened
-  vec4 lastInterval;  // the last texel of the coarser level stands nearer: beyond pixel .xy, pixels count .zw
-                      // more
-  vec2 zoneFromPixel;  // texture coordinate in the zone per pixel of this level
-  float zoneFade;  // weight that is lost per share of blocks outside of the zone in a bilinear sample of it
-  float levelPadding;
+    ivec2 levelSize;       // pixels of this level
+    int levelStride;       // 2^level: full-resolution pixels per pixel of this level
+    int levelHalfStride;   // half of it, 0 for full resolution
+    vec2 coarserFromPixel; // texture coordinate in the coarser level per full-resolution pixel
+    vec2 maskFromPixel;    // texture coordinate in the mask per full-resolution pixel
+    float blendWeight;     // w_i of equation 1, [1, 1000]
+    float refineThreshold; // difference to the coarser level above which the next finer level may render
+    vec2 refineReach;      // texture coordinates by which what the coarser level found is widened
+    vec4 lastInterval;     // the last texel of the coarser level stands nearer: beyond pixel .xy, pixels count .zw more
+    vec2 zoneFromPixel;    // texture coordinate in the zone per pixel of this level
+    float zoneFade;        // weight lost per share of blocks outside of the zone in a bilinear sample of it; 0: none
+    float levelPadding;
 };
 
 END_PARAMS

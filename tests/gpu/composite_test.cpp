@@ -1,6 +1,8 @@
 // Equation 1, from the coarsest level up, against double precision.
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <string>
 
 #include "tests/support/gl_test.h"
 #include "tests/support/mask_bench.h"
@@ -17,8 +19,20 @@ double valueAt(glm::ivec2 fullPixel, int level) {
   return 0.5 + 0.4 * std::sin(pixel.x * 0.05 + (1 << level)) * std::cos(pixel.y * 0.07);
 }
 constexpr const char* kValue =
-    "return vec4(0.5 + 0.4 * sin(surface.pixel.x * 0.05 + float(levelStride)) * cos(surface.pixel.y * "
-    "0.07));";
+    "float value = 0.5 + 0.4 * sin(surface.pixel.x * 0.05 + float(levelStride)) * cos(surface.pixel.y * "
+    "0.07);";
+
+/// An effect of these values.
+TestEffect::Recipe valueIn(const LevelTable& levels) {
+  return {.body = std::string(kValue) + "return vec4(value);", .levels = levels};
+}
+
+/// Radiances whose largest channel is `brightness` times the value.
+TestEffect::Recipe radianceIn(const LevelTable& levels, double brightness) {
+  const std::string radiance =
+      "return " + std::to_string(brightness) + " * value * vec4(0.25, 1.0, 0.5, 0.0);";
+  return {.body = kValue + radiance, .channels = 3, .levels = levels};
+}
 
 glm::ivec2 representative(glm::ivec2 pixel, int level, glm::ivec2 fullSize) {
   return glm::min(pixel * (1 << level) + (1 << level) / 2, fullSize - 1);
@@ -53,8 +67,8 @@ double reachOf(const PlannedLevel& level) {
   return level.index == 0 ? 0.0 : 1.0;
 }
 
-/// The weight that is left next to blocks which refinement left out: none on their border, all of it half a
-/// block on.
+/// The weight that is left at the border of a zone that refinement limits: none there, all of it half a block
+/// inside.
 double zoneWeight(const Image& zone, glm::ivec2 levelPixel) {
   return std::max(1.0 - 2.0 * (1.0 - bilinear(zone, (glm::dvec2(levelPixel) + 0.5) / 4.0)), 0.0);
 }
@@ -81,6 +95,13 @@ Image zoneOf(const PlannedLevel& level, const Image& mask, const Composed& coars
   return zone;
 }
 
+/// What makes a level refine its coarser one further. Without a threshold the masks alone do.
+struct Refinement {
+  double threshold = 0.0;
+  std::function<double(double, double)> difference = [](double a, double b) { return std::abs(a - b); };
+  bool fades = true;
+};
+
 /// The weight of equation 1.
 double alphaAt(const PlannedLevel& level, glm::ivec2 pixel, const Image& mask) {
   const double a = bilinear(mask, (glm::dvec2(pixel) + 0.5) / std::exp2(level.index + 1));
@@ -96,34 +117,38 @@ Composed composeCoarsest(const PlannedLevel& level, glm::ivec2 fullSize) {
   return composed;
 }
 
-/// What a level must be over the coarser one. A threshold of 0 leaves the decision to the masks.
+/// What a level must be over the coarser one.
 Composed compose(const PlannedLevel& level, glm::ivec2 fullSize, const Image& mask, const Composed& coarser,
-                 double refineThreshold) {
+                 const Refinement& refinement) {
   Composed composed{level.index, {level.size, 1, {}}, {level.size, 1, {}}};
   const Image zone = zoneOf(level, mask, coarser);
   for (int i = 0; i < level.size.x * level.size.y; ++i) {
     const glm::ivec2 levelPixel(i % level.size.x, i / level.size.x);
     const glm::ivec2 pixel = representative(levelPixel, level.index, fullSize);
     const double below = bilinear(coarser.picture, placeIn(coarser.picture, pixel, coarser.level, fullSize));
-    const double change = valueAt(pixel, level.index) - below;
+    const double value = valueAt(pixel, level.index);
     const bool rendered = zone.at(levelPixel / 4) > 0.0f;
-    const double share = coarser.refine.texels.empty() ? 1.0 : zoneWeight(zone, levelPixel);
+    const bool fades = refinement.fades && !coarser.refine.texels.empty();
+    const double share = fades ? zoneWeight(zone, levelPixel) : 1.0;
     const double alpha = rendered ? alphaAt(level, pixel, mask) * share : 0.0;
-    composed.picture.texels.push_back(static_cast<float>(below + change * alpha));
-    composed.refine.texels.push_back(rendered && std::abs(change) > refineThreshold ? 1.0f : 0.0f);
+    composed.picture.texels.push_back(static_cast<float>(below + (value - below) * alpha));
+    const bool differs = rendered && refinement.difference(value, below) > refinement.threshold;
+    composed.refine.texels.push_back(differs ? 1.0f : 0.0f);
   }
-  if (refineThreshold == 0.0) composed.refine = {};
+  if (refinement.threshold == 0.0) composed.refine = {};
   return composed;
 }
 
-Image composeAll(const LevelPlan& plan, const std::vector<Image>& masks, double refineThreshold = 0.0) {
+Image composeAll(const LevelPlan& plan, const std::vector<Image>& masks, const Refinement& refinement = {}) {
   const glm::ivec2 fullSize = plan.levels.front().size;
   Composed composed = composeCoarsest(plan.levels.back(), fullSize);
   for (std::size_t i = plan.levels.size() - 1; i-- > 0;) {
     // A level that decides for the half or the quarter level sees a quarter of the difference, or a
     // sixteenth.
     const double share = i == 0 ? 1.0 : std::exp2(-2.0 * plan.levels[i - 1].index);
-    composed = compose(plan.levels[i], fullSize, masks[i], composed, refineThreshold * share);
+    Refinement seen = refinement;
+    seen.threshold *= share;
+    composed = compose(plan.levels[i], fullSize, masks[i], composed, seen);
   }
   return composed.picture;
 }
@@ -132,7 +157,7 @@ class Composite : public GlTest {
  protected:
   void expectEquationOne(const SyntheticGBuffer& gbuffer, LevelTable levels, float weight) {
     for (LevelSettings& level : levels) level.blendWeight = weight;
-    TestEffect effect({.body = kValue, .levels = levels});
+    TestEffect effect(valueIn(levels));
     MultiResolution multiResolution;
     refineAtEveryEdge(multiResolution);
     const Picture picture = renderPicture(multiResolution, effect, gbuffer.frame());
@@ -173,6 +198,7 @@ TEST_F(Composite, FollowsEquationOneAtOddSizesAndOtherWeights) {
 }
 
 TEST_F(Composite, RefinesWhereTheCoarserLevelsSayThatItPays) {
+  int fading = 0;  // pictures that show it
   for (const glm::ivec2 size : {glm::ivec2(131, 97), glm::ivec2(192, 128)}) {
     const SyntheticGBuffer gbuffer(size, perspective(size), room());
     for (const unsigned subset : {0b1111u, 0b1011u, 0b1101u, 0b0111u, 0b0011u}) {
@@ -180,22 +206,55 @@ TEST_F(Composite, RefinesWhereTheCoarserLevelsSayThatItPays) {
         SCOPED_TRACE(testing::Message() << size.x << " pixels, levels " << subset << ", " << threshold);
         LevelTable levels = levelSubset(subset);
         for (LevelSettings& level : levels) level.blendWeight = 1.0f;
-        TestEffect effect({.body = kValue, .levels = levels});
+        TestEffect effect(valueIn(levels));
         MultiResolution multiResolution;
         multiResolution.settings().mask.refineThreshold = threshold;
         const Picture picture = renderPicture(multiResolution, effect, gbuffer.frame());
         static_cast<void>(bench_.edges(gbuffer.frame()));
         const LevelPlan plan = planLevels(Technique::multiResolution, levels, size);
         const std::vector<Image> masks = bench_.masks(plan);
-        const Image expected = composeAll(plan, masks, static_cast<double>(threshold));
+        const Refinement refinement{.threshold = static_cast<double>(threshold)};
+        const Image expected = composeAll(plan, masks, refinement);
         // A change within rounding of the threshold may be decided either way.
         EXPECT_LT(rootMeanSquare(picture, expected.texels), 0.003);
         EXPECT_LT(shareAbove(picture, expected.texels, 0.01), 0.002);
         const bool hasSay = plan.levels.size() > 2;
         EXPECT_EQ(shareAbove(composeAll(plan, masks).texels, expected.texels, 0.01) > 0.004, hasSay)
-            << "the test can tell";
+            << "the test can tell whether levels have a say";
+        const Image sharp = composeAll(plan, masks, {.threshold = refinement.threshold, .fades = false});
+        fading += shareAbove(sharp.texels, expected.texels, 0.01) > 0.004 ? 1 : 0;
       }
     }
+  }
+  EXPECT_GT(fading, 5) << "the test can tell whether zones fade";
+}
+
+TEST_F(Composite, RefinesRadiancesByTheirContrast) {
+  const glm::ivec2 size(192, 128);
+  const SyntheticGBuffer gbuffer(size, perspective(size), room());
+  LevelTable levels = levelSubset(15);
+  for (LevelSettings& level : levels) level.blendWeight = 1.0f;
+  const LevelPlan plan = planLevels(Technique::multiResolution, levels, size);
+  static_cast<void>(bench_.edges(gbuffer.frame()));
+  const std::vector<Image> masks = bench_.masks(plan);
+  for (const double brightness : {40.0, 1.0, 0.03}) {
+    SCOPED_TRACE(brightness);
+    // Below a radiance of 0.05 there is less to see.
+    const auto contrast = [&](double a, double b) {
+      return brightness * std::abs(a - b) / std::max(brightness * (a + b), 0.1);
+    };
+    TestEffect effect(radianceIn(levels, brightness));
+    MultiResolution multiResolution;
+    multiResolution.settings().mask.refineThreshold = 0.15f;
+    const Picture picture = renderPicture(multiResolution, effect, gbuffer.frame());
+    Picture values;
+    for (std::size_t i = 1; i < picture.size(); i += 3)
+      values.push_back(static_cast<float>(static_cast<double>(picture[i]) / brightness));
+    const Image expected = composeAll(plan, masks, {.threshold = 0.15, .difference = contrast});
+    EXPECT_LT(rootMeanSquare(values, expected.texels), 0.003);
+    EXPECT_LT(shareAbove(values, expected.texels, 0.01), 0.002);
+    EXPECT_GT(shareAbove(composeAll(plan, masks, {.threshold = 0.15}).texels, expected.texels, 0.01), 0.004)
+        << "the test can tell";
   }
 }
 
@@ -211,7 +270,7 @@ LevelPlan withWeightsTimes(float factor, const LevelPlan& plan) {
 TEST_F(Composite, FollowsEquationOneWithTheWeightsAndVariancesOfTable1) {
   for (const glm::ivec2 size : {glm::ivec2(131, 97), glm::ivec2(256, 192)}) {
     const SyntheticGBuffer gbuffer(size, perspective(size), room());
-    TestEffect effect({.body = kValue, .levels = kSsaoLevels});
+    TestEffect effect(valueIn(kSsaoLevels));
     MultiResolution multiResolution;
     refineAtEveryEdge(multiResolution);
     const Picture picture = renderPicture(multiResolution, effect, gbuffer.frame());

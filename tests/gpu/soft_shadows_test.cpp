@@ -261,6 +261,31 @@ TEST_F(Penumbra, IsAllThatIsRefined) {
   }
 }
 
+TEST_F(SoftShadowsTest, PenumbrasAreCloseToThoseOfFullResolutionByDefault) {
+  const glm::ivec2 size(320, 240);
+  for (const LitScene& scene : scenesWithPenumbras()) {
+    const SyntheticGBuffer gbuffer(size, perspective(size), scene.receivers);
+    const SyntheticShadow shadow(scene.casters, scene.light, kMapSize);
+    effect_.setSettings(scene.settings);
+    effect_.setInputs(shadow.inputs());
+    const auto renderBy = [&](Technique technique) {
+      multiResolution_.settings().technique = technique;
+      return renderPicture(multiResolution_, effect_, gbuffer.frame());
+    };
+    const Picture full = renderBy(Technique::full);
+    const Picture mixed = renderBy(Technique::multiResolution);
+    Picture fullPenumbra;
+    Picture mixedPenumbra;
+    for (std::size_t i = 0; i < full.size(); ++i) {
+      if (full[i] < 0.05f || full[i] > 0.95f) continue;
+      fullPenumbra.push_back(full[i]);
+      mixedPenumbra.push_back(mixed[i]);
+    }
+    EXPECT_GT(fullPenumbra.size(), 200u) << scene.name;
+    EXPECT_LT(rootMeanSquare(mixedPenumbra, fullPenumbra), 0.03) << scene.name;
+  }
+}
+
 /// Percentage-closer filtering written anew: light rays through texel centres meet the receiver's plane.
 class FilterReference {
  public:

@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 
+#include "effects/ssao/ssao.h"
 #include "mres/effect.h"
 
 namespace mres::test {

@@ -119,7 +119,7 @@ TEST(PaperSuite, LoadsEachSceneOnceAndKeepsEqualSettingsTogether) {
 }
 
 TEST(PaperSuite, FitsItsTime) {
-  EXPECT_LT(seconds(suiteCases({"paper"})), 100 * 60.0);
+  EXPECT_LT(seconds(suiteCases({"paper"})), 90 * 60.0) << "of 100: machines differ";
   EXPECT_LT(seconds(suiteCases({"quick"})), 4 * 60.0);
 }
 
@@ -133,7 +133,7 @@ TEST(Plan, ExpectsOnePairOfTheSlowestPictures) {
   const BenchCase slow{{}, "ssgi", 4224, k4k};
   const BenchCase fast{{}, "ssao", 64, {1280, 720}};
   EXPECT_DOUBLE_EQ(secondsOf(slow, campaignPlan()), secondsOf(slow, onePair()));
-  EXPECT_GT(secondsOf(fast, campaignPlan()), secondsOf(fast, onePair()) + 2.0);
+  EXPECT_GT(secondsOf(fast, campaignPlan()), secondsOf(fast, onePair()) + 1.0);
 }
 
 TEST(Plan, ExpectsTheReferenceToWarmUpOnlyWhereThatIsShort) {

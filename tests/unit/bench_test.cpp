@@ -385,17 +385,28 @@ TEST_F(Bench, ThePageIsWellFormed) {
             0);
 }
 
-TEST_F(Bench, ThePageNamesThePicturesWithGreatErrors) {
+TEST_F(Bench, ThePageNamesThePictureWithTheGreatestError) {
   Json report = makeReport(kMachine);
   for (const int camera : {0, 1}) report["results"].push_back(toJson(measurementOf(camera, {64, 64}, 16)));
   report["results"][1]["error"]["rms"] = 0.0251;
   EXPECT_THAT(makePage(report, {}, folder_),
-              HasSubstr("No picture's RMS is over 0.03; the greatest is 0.0251, of hall &lt;1&gt; 1, ssao"));
-  report["results"][0]["error"]["rms"] = 0.0302;
-  const std::string page = makePage(report, {}, folder_);
-  EXPECT_THAT(page, AllOf(HasSubstr("hall &lt;1&gt; 0, ssao, 16 samples, 64x64: 0.0302"),
-                          testing::Not(HasSubstr("No picture's"))));
-  EXPECT_EQ(countOf(page, "<li>"), 1U);
+              HasSubstr("The greatest RMS is 0.0251, of hall &lt;1&gt; 1, ssao, 16 samples, 64x64."));
+  report["results"][1]["error"] = nullptr;
+  EXPECT_THAT(makePage(report, {}, folder_),
+              HasSubstr("The greatest RMS is 0.0100, of hall &lt;1&gt; 0, ssao, 16 samples, 64x64."));
+  report["results"][0]["error"] = nullptr;
+  EXPECT_THAT(makePage(report, {}, folder_), testing::Not(HasSubstr("The greatest RMS")));
+}
+
+TEST_F(Bench, ThePageTellsHowWellSpeedupsAreKnown) {
+  Json report = makeReport(kMachine);
+  report["results"].push_back(toJson(measurementOf(0, {64, 64}, 16)));
+  EXPECT_THAT(makePage(report, {}, folder_),
+              AllOf(HasSubstr("<p>" + speedupCertainty(report) + "</p>"), HasSubstr(">±%<")));
+  Measurement untimed = measurementOf(0, {64, 64}, 16);
+  untimed.times.reset();
+  report["results"] = Json::array({toJson(untimed)});
+  EXPECT_THAT(makePage(report, {}, folder_), testing::Not(HasSubstr("The speedup is known")));
 }
 
 TEST_F(Bench, ThePageTellsWhatScenesLackOnce) {
@@ -428,6 +439,42 @@ TEST(BenchSummary, HasARowForEachEffectSamplesAndSize) {
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_THAT(rows[2], testing::ElementsAre("ssao", "16", "64x64", "2", "2.50x", "2.00x", "3.00x", "0.0100",
                                             "0.0100", "0.0100"));
+}
+
+/// In pairs that are all alike: its speedup is known exactly if they are enough.
+Json timedInPairs(std::size_t pairs, double referenceMs) {
+  Measurement measurement = measurementOf(0, {64, 64}, 16);
+  measurement.times->technique.assign(pairs, RunTime{.wallMs = 10.0});
+  measurement.times->reference.assign(pairs, RunTime{.wallMs = referenceMs});
+  return toJson(measurement);
+}
+
+TEST(BenchSummary, TellsOfHowManyPicturesTheSpeedupIsKnown) {
+  Json report = makeReport(kMachine);
+  Json& results = report["results"];
+  results = {timedInPairs(6, 20.0), timedInPairs(6, 30.0), timedInPairs(6, 40.0), timedInPairs(1, 90.0)};
+  results[1]["speedup_interval"] = {2.8, 3.0};
+  results[2]["speedup_interval"] = {4.0, 4.3};
+  EXPECT_EQ(speedupCertainty(report),
+            "The speedup is known within 5 % (95 % interval) for 1 of 4 timed pictures; "
+            "the slowest has one pair.");
+  results[1]["speedup_interval"] = {2.9, 3.1};
+  results[3]["speedup_interval"] = nullptr;
+  results.push_back(timedInPairs(7, 200.0));
+  EXPECT_EQ(speedupCertainty(report),
+            "The speedup is known within 5 % (95 % interval) for 3 of 5 timed pictures; "
+            "the slowest has 7 pairs.");
+}
+
+TEST(BenchSummary, TellsNothingOfSpeedupsThatWereNotMeasured) {
+  Json report = makeReport(kMachine);
+  EXPECT_EQ(speedupCertainty(report), "");
+  Measurement untimed = measurementOf(0, {64, 64}, 16);
+  untimed.times.reset();
+  report["results"].push_back(toJson(untimed));
+  EXPECT_EQ(speedupCertainty(report), "");
+  report["results"].push_back(timedInPairs(6, 20.0));
+  EXPECT_THAT(speedupCertainty(report), HasSubstr("for 1 of 1 timed pictures"));
 }
 
 Json reportWithTruths() {

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <gmock/gmock.h>
 
+#include "effects/ssao/ssao.h"
+
 namespace mres {
 namespace {
 

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "host/commands/bench_page.h"
 #include "host/image/image_file.h"
@@ -19,9 +20,10 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// What the browser is to do with the page, and to write into its title. The log's line shows that its log is
-/// read.
+/// What the browser is to do with the page once all pictures are loaded, and to write into its title. The
+/// log's line shows that its log is read.
 constexpr const char* kProbe = R"(<script>
+addEventListener("load", () => {
 const found = [];
 const view = document.querySelector(".view");
 const stage = view.querySelector(".stage");
@@ -37,8 +39,8 @@ found.push("then " + clip() + ", slider at " + view.querySelector(".split").valu
 view.querySelector(".split").value = 20;
 view.querySelector(".split").dispatchEvent(new Event("input"));
 found.push("then " + clip());
+const isVisible = part => part.offsetParent !== null;
 const shown = () => {
-  const isVisible = part => part.offsetParent !== null;
   return Array.from(stage.querySelectorAll("img")).filter(isVisible).map(image => image.alt.split(": ")[1]).join("+") +
          (isVisible(view.querySelector(".split")) ? " with a line" : "");
 };
@@ -59,13 +61,49 @@ for (const direction of ["ascending", "descending"]) {
   heading.querySelector("button").click();
   found.push(heading.getAttribute("aria-sort") + " " + speedups());
 }
-addEventListener("load", () => {
-  found.push("broken " + Array.from(document.images).filter(image => !image.naturalWidth).length);
-  document.title = found.join("; ");
-  console.log("probe is done");
+found.push("broken " + Array.from(document.images).filter(image => !image.naturalWidth).length);
+found.push("different pictures " + new Set(Array.from(stage.querySelectorAll("img"), image => image.src)).size);
+for (const plot of document.querySelectorAll(".plots img"))
+  found.push(plot.alt + " " + plot.naturalWidth + "x" + plot.naturalHeight + (isVisible(plot) ? ", shown" : ""));
+const titlesOf = table => Array.from(table.tHead.rows[0].cells, cell => cell.textContent);
+const truths = Array.from(tables).find(table => titlesOf(table).includes("truth"));
+found.push("truths" + (isVisible(truths) ? ", shown" : ""));
+for (const row of truths.tBodies[0].rows) found.push(Array.from(row.cells, cell => cell.textContent).join(" | "));
+document.title = found.join("; ");
+console.log("probe is done");
 });
 </script>
 </body>)";
+
+/// Has what gnuplot's plots have: a size, a namespace, references within it and no script.
+constexpr const char* kPlot = R"svg(<?xml version="1.0" encoding="utf-8" standalone="no"?>
+<svg width="820" height="540" viewBox="0 0 820 540" xmlns="http://www.w3.org/2000/svg"
+     xmlns:xlink="http://www.w3.org/1999/xlink">
+<title>Gnuplot</title>
+<rect x="0" y="0" width="820" height="540" fill="#ffffff"/>
+<defs><circle id="gpPt5" stroke-width="0.2" stroke="currentColor" cx="0" cy="0" r="1"/></defs>
+<path stroke="black" fill="none" d="M80,480 L780,480 M80,480 L80,40"/>
+<use xlink:href="#gpPt5" transform="translate(400,200) scale(4)" color="#0072b2"/>
+<text x="400" y="520" font-family="sans-serif" font-size="13">megapixels</text>
+</svg>
+)svg";
+
+/// Shades from left to right and from top to bottom: no two of different `blue` are alike.
+FloatImage gradient(float blue) {
+  constexpr int kSide = 64;
+  FloatImage image{{kSide, kSide}, 3, {}};
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x)
+      image.pixels.insert(image.pixels.end(), {static_cast<float>(x) / static_cast<float>(kSide),
+                                               static_cast<float>(y) / static_cast<float>(kSide), blue});
+  return image;
+}
+
+Measurement withTruth(Measurement measurement) {
+  measurement.truths = {
+      {"converged", "samples", 4096, 1024, {.rms = 0.03, .max = 0.6}, {.rms = 0.02, .max = 0.5}}};
+  return measurement;
+}
 
 /// Of its standard output and error.
 std::string outputOf(const std::string& command) {
@@ -89,10 +127,12 @@ class PageInBrowser : public testing::Test {
     measurement.technique = "mres";
     measurement.settings = {{"radius", 0.5}};
     measurement.error = ErrorMetrics{};
+    float blue = 0.0f;
     for (const char* subject : {"full", "mres", "effect_full", "effect_mres", "difference", "levels"}) {
       const std::string file = std::string(subject) + ".png";
-      writeImage(folder_ / file, {{64, 64}, 3, std::vector<float>(std::size_t{64} * 64 * 3, 0.5f)});
+      writeImage(folder_ / file, gradient(blue));
       measurement.pictures[subject] = file;
+      blue += 0.2f;
     }
     return measurement;
   }
@@ -103,12 +143,19 @@ class PageInBrowser : public testing::Test {
     return measurement;
   }
 
+  std::vector<Plot> plots() {
+    fs::create_directory(folder_ / "plots");
+    std::ofstream(folder_ / "plots/speedup.svg") << kPlot;
+    return {Plot{"plots/speedup.svg", "Speedup"}};
+  }
+
   /// The page with the probe, as the browser left it, after what the browser logged.
   std::string browse() {
     Json report = makeReport({"llvmpipe", "4.5", 2});
-    for (const Measurement& measurement : {timed(0, 30.0), untimed(1), timed(2, 20.0), timed(3, 100.0)})
+    for (const Measurement& measurement :
+         {withTruth(timed(0, 30.0)), untimed(1), timed(2, 20.0), timed(3, 100.0)})
       report["results"].push_back(toJson(measurement));
-    std::string page = makePage(report, {}, folder_);
+    std::string page = makePage(report, plots(), folder_);
     page.replace(page.rfind("</body>"), std::string("</body>").size(), kProbe);
     const fs::path file = folder_ / "page.html";
     std::ofstream(file) << page;
@@ -122,16 +169,19 @@ class PageInBrowser : public testing::Test {
   fs::path folder_ = temporary_.path();
 };
 
-TEST_F(PageInBrowser, ComparesSortsAndLogsNothing) {
+TEST_F(PageInBrowser, ShowsAllComparesSortsAndLogsNothing) {
   if (std::system("command -v chromium > /dev/null") != 0) GTEST_SKIP() << "chromium is not installed";
   const std::string seen = browse();
-  EXPECT_THAT(seen,
-              HasSubstr("<title>right of the line 75%; then 50%, slider at 50; then 80%; "
-                        "full resolution+multi-resolution with a line; "
-                        "the effect at full resolution+the effect, multi-resolution with a line; level map; "
-                        "full resolution+multi-resolution with a line; "
-                        "natural width 64, less than before; ascending 2.00x 3.00x 10.00x -; "
-                        "descending 10.00x 3.00x 2.00x -; broken 0</title>"));
+  EXPECT_THAT(
+      seen,
+      HasSubstr("<title>right of the line 75%; then 50%, slider at 50; then 80%; "
+                "full resolution+multi-resolution with a line; "
+                "the effect at full resolution+the effect, multi-resolution with a line; level map; "
+                "full resolution+multi-resolution with a line; "
+                "natural width 64, less than before; ascending 2.00x 3.00x 10.00x -; "
+                "descending 10.00x 3.00x 2.00x -; broken 0; different pictures 6; Speedup 820x540, shown; "
+                "truths, shown; ssao | 64 | 64x64 | converged, 4096 samples | 1 | 0.0200 | 0.0300 | "
+                "+50.0 %</title>"));
   const std::size_t log = seen.find("CONSOLE");
   ASSERT_NE(log, std::string::npos) << "the browser's log is not seen";
   EXPECT_THAT(seen.substr(log, 200), HasSubstr("probe is done"));

@@ -39,7 +39,7 @@ Measurement example() {
   measurement.stages = {{"edges", 30.0}, {"level0", 70.0}};
   measurement.stagesClock = "glFinish+steady_clock";
   measurement.warnings = {"Something is left out."};
-  measurement.skipped = {{"level1", "not used by ssgi"}};
+  measurement.skipped = {{"level1", "not used by this effect"}};
   measurement.gpuBytes = 123456;
   measurement.seconds = 46.4;
   return measurement;
@@ -73,7 +73,7 @@ TEST(Report, HasTheFieldsThatScriptsRelyOn) {
   EXPECT_EQ(result["error"].dump(), R"({"rms":0.01,"max":0.3,"psnr":40.0,"ssim":0.99,"non_finite":0})");
   EXPECT_EQ(result["coverage"].dump(), "[0.04,0.09,0.2,1.0]");
   EXPECT_EQ(result["stages_ms"].dump(), R"({"edges":30.0,"level0":70.0})");
-  EXPECT_EQ(result["skipped"].dump(), R"([{"what":"level1","reason":"not used by ssgi"}])");
+  EXPECT_EQ(result["skipped"].dump(), R"([{"what":"level1","reason":"not used by this effect"}])");
   EXPECT_EQ(result["stages_clock"], "glFinish+steady_clock");
   EXPECT_EQ(result["warnings"].dump(), R"(["Something is left out."])");
   EXPECT_EQ(result["gpu_bytes"], 123456);
@@ -161,8 +161,8 @@ std::string cellBelow(const std::string& title, const Json& report) {
 TEST(ReportTable, TellsHowWellASpeedupIsKnown) {
   const Json report = reportOf({example()});
   EXPECT_EQ(cellBelow("runs", report), "6");
-  EXPECT_GT(std::stod(cellBelow("+-%", report)), 0.0);
-  EXPECT_LT(std::stod(cellBelow("+-%", report)), 1.0);
+  EXPECT_GT(std::stod(cellBelow("±%", report)), 0.0);
+  EXPECT_LT(std::stod(cellBelow("±%", report)), 1.0);
   EXPECT_THAT(toTable(report), HasSubstr("with 95 % confidence"));
 }
 
@@ -172,7 +172,7 @@ TEST(ReportTable, ClaimsNoIntervalOfAFewPairs) {
   measurement.times->reference.resize(1);
   const Json report = reportOf({measurement});
   EXPECT_EQ(cellBelow("runs", report), "1");
-  EXPECT_EQ(cellBelow("+-%", report), "-");
+  EXPECT_EQ(cellBelow("±%", report), "-");
   EXPECT_THAT(toTable(report),
               AllOf(HasSubstr("Speedup 2.50x: 1 interleaved pair,"), Not(HasSubstr("95 %"))));
 }
