@@ -79,6 +79,7 @@ def table(report, _folder, _page):
         ("full, ms", ("reference_time_ms", "median"), "{:.0f}"),
         ("mres, ms", ("time_ms", "median"), "{:.0f}"),
         ("speedup", ("speedup",), "{:.2f}"),
+        ("efficiency", ("efficiency",), "{:.2f}"),
         ("RMS", ("error", "rms"), "{:.4f}"),
         ("max", ("error", "max"), "{:.3f}"),
         ("PSNR, dB", ("error", "psnr"), "{:.1f}"),
@@ -97,12 +98,14 @@ def table(report, _folder, _page):
 
 
 def summary(report, _folder, _page):
-    rows = [["effect, samples, size", "views", "speedup", "least", "greatest", "RMS", "greatest"]]
+    rows = [["effect, samples, size", "views", "speedup", "least", "greatest", "efficiency", "RMS", "greatest"]]
     for key, results in grouped(report["results"], work):
         speedups = [field(r, ("speedup",)) for r in results]
+        efficiencies = [field(r, ("efficiency",)) for r in results]
         errors = [field(r, ("error", "rms")) for r in results]
         rows.append([work_title(*key), str(len(results))]
                     + [cell(overall(figure, speedups), "{:.2f}") for figure in (statistics.mean, min, max)]
+                    + [cell(overall(statistics.mean, efficiencies), "{:.2f}")]
                     + [cell(overall(figure, errors), "{:.4f}") for figure in (statistics.mean, max)])
     return markdown(rows)
 

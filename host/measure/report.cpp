@@ -68,6 +68,18 @@ void addTimes(Json& result, const InterleavedTimes& times) {
   result["speedup_interval"] = {speedup.low, speedup.high};
 }
 
+/// The floor is what the levels alone would take at the reference's cost per pixel: masks, filters and blends
+/// are what comes on top. Null where nothing was timed.
+void addEfficiency(Json& result, const std::vector<double>& coverage) {
+  double work = 0.0;
+  for (std::size_t level = 0; level < coverage.size(); ++level)
+    work += std::ldexp(coverage[level], -2 * static_cast<int>(level));
+  const bool isTimed = !result["speedup"].is_null();
+  result["work"] = coverage.empty() ? Json() : Json(work);
+  result["floor_ms"] = isTimed ? Json(result["reference_time_ms"]["median"].get<double>() * work) : Json();
+  result["efficiency"] = isTimed ? Json(result["speedup"].get<double>() * work) : Json();
+}
+
 }  // namespace
 
 Machine machineOf(const std::string& renderer, const std::string& version) {
@@ -85,6 +97,7 @@ Json toJson(const Measurement& measurement) {
   result["error"] = measurement.error ? toJson(*measurement.error) : Json();
   result["truth"] = toJson(measurement.truths);
   result["coverage"] = measurement.coverage;
+  addEfficiency(result, measurement.coverage);
   result["stages_ms"] = Json::object();
   for (const StageCost& stage : measurement.stages) result["stages_ms"][stage.name] = stage.milliseconds;
   result["stages_clock"] = measurement.stages.empty() ? Json() : Json(measurement.stagesClock);

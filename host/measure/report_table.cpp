@@ -44,6 +44,7 @@ const std::vector<Figure>& figures() {
       {"full ms", "{:.1f}", medianOf("reference_time_ms")},
       {"ms", "{:.1f}", medianOf("time_ms")},
       {"speedup", "{:.2f}x", [](const Json& result) { return result["speedup"]; }},
+      {"efficiency", "{:.2f}", [](const Json& result) { return result.value("efficiency", Json()); }},
       {"RMS", "{:.4f}", errorOf("rms")},
       {"max", "{:.3f}", errorOf("max")},
       {"PSNR", "{:.1f}", errorOf("psnr")},

@@ -1,6 +1,7 @@
 #include "host/measure/truth_finder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include "host/truth/ray_traced.h"
@@ -55,18 +56,16 @@ PixelGrid rayGridOf(glm::ivec2 size) {
   return grid;
 }
 
-SunRays sunRays(const PictureSettings& settings, const mres::Frame& frame, const EffectInputs& inputs) {
-  const glm::vec3 towardsSun = glm::transpose(glm::mat3(frame.view)) * glm::vec3(inputs.shadow.light);
-  return {.towardsSun = glm::normalize(towardsSun), .diameter = settings.softShadows.lightAngle};
-}
-
-/// Whether the shadows are those of the sun, not of a lamp.
-bool isSunny(const mres::ShadowInputs& shadow) {
-  return shadow.shadowMap != 0 && shadow.light.w == 0.0f;
+LightRays lightRays(const mres::SoftShadowSettings& settings, const mres::Frame& frame,
+                    const mres::ShadowInputs& shadow) {
+  const bool parallel = shadow.light.w == 0.0f;
+  return {.place = glm::inverse(frame.view) * shadow.light,
+          .extent = parallel ? std::tan(glm::radians(0.5f * settings.lightAngle)) : settings.lightRadius,
+          .mapFromWorld = shadow.shadowFromView * frame.view};
 }
 
 bool hasRayTracedTruth(const PictureSettings& settings, const EffectInputs& inputs) {
-  if (settings.effect == kSoftShadowEffect) return isSunny(inputs.shadow);
+  if (settings.effect == kSoftShadowEffect) return inputs.shadow.shadowMap != 0;
   return settings.effect == kSsaoEffect && settings.ssao.radius > 0.0f;
 }
 
@@ -102,7 +101,7 @@ Truth TruthFinder::rayTraced(const mres::Frame& frame, const EffectInputs& input
   if (!rayScene_) rayScene_.emplace(scene_);
   const GridSurfaces surfaces = readSurfaces(rayGridOf(frame.size), frame);
   if (settings_.effect == kSoftShadowEffect)
-    return traceSunVisibility(*rayScene_, surfaces, sunRays(settings_, frame, inputs), observe);
+    return traceVisibility(*rayScene_, surfaces, lightRays(settings_.softShadows, frame, inputs.shadow), observe);
   return traceAccessibility(*rayScene_, surfaces, {settings_.ssao.radius, settings_.ssao.intensity}, observe);
 }
 

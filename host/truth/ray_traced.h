@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "host/truth/grid_surfaces.h"
 #include "host/truth/ray_scene.h"
 #include "host/truth/truth.h"
@@ -18,13 +20,16 @@ struct OcclusionRays {
 Truth traceAccessibility(const RayScene& scene, const GridSurfaces& surfaces, const OcclusionRays& rays,
                          const WorkObserver& observe);
 
-/// The share of the sun's disk that each surface sees. As in the effect, those that face away from its
-/// centre see nothing.
-struct SunRays {
-  glm::vec3 towardsSun{0.0f, 1.0f, 0.0f};  ///< world, unit length
-  float diameter = 0.53f;                  ///< degrees in the sky
+/// The share of a light's disk that each surface sees. As in the effect, surfaces that face away from its centre
+/// see nothing of it, and those that its shadow map does not cover see all.
+struct LightRays {
+  /// World: unit direction to a parallel light and 0, or a lamp's position and 1. A lamp's disk faces the
+  /// surface, as a sphere's does.
+  glm::vec4 place{0.0f, 1.0f, 0.0f, 0.0f};
+  float extent = 0.0046f;  ///< tangent of half of a parallel light's angle in the sky; a lamp's radius in metres
+  std::optional<glm::mat4> mapFromWorld = {};  ///< to 0..1 after division by w; none: it covers everything
 };
-Truth traceSunVisibility(const RayScene& scene, const GridSurfaces& surfaces, const SunRays& rays,
-                         const WorkObserver& observe);
+Truth traceVisibility(const RayScene& scene, const GridSurfaces& surfaces, const LightRays& light,
+                      const WorkObserver& observe);
 
 }  // namespace host

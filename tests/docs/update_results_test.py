@@ -10,18 +10,18 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "docs"))
 import update_results  # noqa: E402: found by the line above
 
 
-def result(camera, speedup, rms):
+def result(camera, speedup, rms, efficiency=0.5):
     return {
         "scene": "hall", "camera": camera, "camera_name": "nave", "width": 64, "height": 36, "effect": "ssao",
         "samples": 4, "reference_time_ms": {"median": 20.0}, "time_ms": {"median": 10.0}, "speedup": speedup,
-        "error": {"rms": rms, "max": 0.5, "psnr": None, "ssim": 0.9}, "coverage": [0.25, 1.0], "stages_ms": {"edges": 5.0},
+        "efficiency": efficiency, "error": {"rms": rms, "max": 0.5, "psnr": None, "ssim": 0.9}, "coverage": [0.25, 1.0], "stages_ms": {"edges": 5.0},
         "truth": {"ray_traced": {"rays": 256, "reference_rms": 0.1, "rms": 0.12}},
     }
 
 
 def untimed_result():
     nothing = {"reference_time_ms": None, "time_ms": None, "speedup": None, "error": None, "truth": None, "stages_ms": {}}
-    return result(2, None, None) | nothing
+    return result(2, None, None, None) | nothing
 
 
 REPORT = {
@@ -69,10 +69,10 @@ class UpdateResults(unittest.TestCase):
         self.assertIn("llvmpipe, 4.5, 2 cores, commit abc, 2026-01-02.\n", self.page("machine"))
 
     def test_averages_what_is_there(self):
-        self.assertIn("| ssao 4, 64×36 | 3 | 2.50 | 2.00 | 3.00 | 0.0200 | 0.0300 |", self.page("summary"))
+        self.assertIn("| ssao 4, 64×36 | 3 | 2.50 | 2.00 | 3.00 | 0.50 | 0.0200 | 0.0300 |", self.page("summary"))
         text = self.page("table")
-        self.assertIn("| hall 2 (nave), 64×36, ssao 4 | – | – | – | – | – | – | – | 25 100 |", text)
-        self.assertIn("| **mean** | **20** | **10** | **2.50** | **0.0200** | **0.500** | **–** | **0.9000** |  |", text)
+        self.assertIn("| hall 2 (nave), 64×36, ssao 4 | – | – | – | – | – | – | – | – | 25 100 |", text)
+        self.assertIn("| **mean** | **20** | **10** | **2.50** | **0.50** | **0.0200** | **0.500** | **–** | **0.9000** |  |", text)
 
     def test_tells_how_far_both_are_from_truth(self):
         self.assertIn("| ssao 4, 64×36 | ray traced, 256 rays | 2 | 0.1000 | 0.1200 | +20.0 % |", self.page("truth"))

@@ -40,6 +40,16 @@ Scene blockOnFloor() {
   return scene;
 }
 
+/// The same, lit by a lamp from about where the sun is.
+Scene blockUnderALamp() {
+  Scene scene = blockOnFloor();
+  Light& lamp = scene.lights.front();
+  lamp.type = LightType::spot;
+  lamp.position = glm::vec3(0, 1, -1.5f) - 4.0f * lamp.direction;
+  lamp.intensity = 100.0f;
+  return scene;
+}
+
 class Truths : public testing::Test {
  protected:
   std::vector<Truth> find(const Scene& scene, const std::string& effect, glm::ivec2 size = kSize) {
@@ -47,6 +57,7 @@ class Truths : public testing::Test {
     settings.effect = effect;
     settings.softShadows.contactHardening = true;
     settings.softShadows.lightAngle = 4.0f;
+    settings.softShadows.lightRadius = 0.1f;
     return findWith(settings, scene, size);
   }
   std::vector<Truth> findWith(const PictureSettings& settings, const Scene& scene, glm::ivec2 size = kSize) {
@@ -74,6 +85,7 @@ TEST_F(Truths, AreThoseThatAnEffectHas) {
   EXPECT_THAT(namesOf(scene, "ssao"), ElementsAre("converged", "ray_traced"));
   EXPECT_THAT(namesOf(scene, "ssm"), ElementsAre("converged", "ray_traced"));
   EXPECT_THAT(namesOf(scene, "ssgi"), ElementsAre("converged"));
+  EXPECT_THAT(namesOf(blockUnderALamp(), "ssm"), ElementsAre("converged", "ray_traced"));
 }
 
 TEST_F(Truths, ConvergeWithMoreSamplesThanThePictureHas) {
@@ -99,7 +111,7 @@ TEST_F(Truths, TheLastSeedIsFollowedByTheFirst) {
   EXPECT_EQ(findWith(settings, scene).size(), 2U);
 }
 
-TEST_F(Truths, WithoutASunThereIsNoLightToTrace) {
+TEST_F(Truths, WithoutALightThereIsNothingToTrace) {
   Scene scene = blockOnFloor();
   scene.lights.clear();
   EXPECT_THAT(namesOf(scene, "ssm"), ElementsAre("converged"));
@@ -121,6 +133,7 @@ TEST_F(Truths, AgreeWhereScreenSpaceShowsAllThatMatters) {
   const Scene scene = blockOnFloor();
   EXPECT_LT(differenceOf(find(scene, "ssao")), 0.03);
   EXPECT_LT(differenceOf(find(scene, "ssm")), 0.06);
+  EXPECT_LT(differenceOf(find(blockUnderALamp(), "ssm")), 0.06);
 }
 
 TEST_F(Truths, ShowTheSceneAndNotAConstant) {

@@ -72,6 +72,9 @@ TEST(Report, HasTheFieldsThatScriptsRelyOn) {
   EXPECT_EQ(result["speedup"], 2.5);
   EXPECT_EQ(result["error"].dump(), R"({"rms":0.01,"max":0.3,"psnr":40.0,"ssim":0.99,"non_finite":0})");
   EXPECT_EQ(result["coverage"].dump(), "[0.04,0.09,0.2,1.0]");
+  EXPECT_DOUBLE_EQ(result["work"].get<double>(), 0.04 + 0.09 / 4.0 + 0.2 / 16.0 + 1.0 / 64.0);
+  EXPECT_DOUBLE_EQ(result["floor_ms"].get<double>(), 250.0 * result["work"].get<double>());
+  EXPECT_DOUBLE_EQ(result["efficiency"].get<double>(), 2.5 * result["work"].get<double>());
   EXPECT_EQ(result["stages_ms"].dump(), R"({"edges":30.0,"level0":70.0})");
   EXPECT_EQ(result["skipped"].dump(), R"([{"what":"level1","reason":"not used by this effect"}])");
   EXPECT_EQ(result["stages_clock"], "glFinish+steady_clock");
@@ -102,6 +105,8 @@ TEST(Report, WithoutTimingHasTheSameFieldsWithNull) {
   for (const auto& [key, value] : timed.items()) EXPECT_TRUE(untimed.contains(key)) << key;
   EXPECT_TRUE(untimed["time_ms"].is_null());
   EXPECT_TRUE(untimed["speedup"].is_null());
+  EXPECT_TRUE(untimed["floor_ms"].is_null());
+  EXPECT_FALSE(untimed["work"].is_null());
 }
 
 std::vector<TruthErrors> exampleTruths() {
@@ -185,6 +190,13 @@ TEST(ReportNames, TellHowLongAllOfItTook) {
   Json older = reportOf({example()});
   older["results"][0].erase("seconds");
   EXPECT_EQ(durationOf(older), "");
+}
+
+TEST(ReportTable, DoesWithoutTheEfficiencyInOlderReports) {
+  Json report = reportOf({example()});
+  EXPECT_EQ(cellBelow("efficiency", report), "0.23");
+  report["results"][0].erase("efficiency");
+  EXPECT_EQ(cellBelow("efficiency", report), "-");
 }
 
 TEST(ReportTable, ShowsWhatWasNotMeasuredAsADash) {

@@ -1,0 +1,103 @@
+// `mres bench`: campaigns, their reports, and what is left out of them.
+#include <algorithm>
+#include <filesystem>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/cli/command_support.h"
+#include "tests/cli/process.h"
+
+namespace host::test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+
+TEST_F(Command, BenchWritesACampaignAndResumesIt) {
+  const std::vector<std::string> arguments{"bench",   "--suite", "quick",          "-o", folder_ / "not-here",
+                                           "--suite", "smoke",   "--repeat",       "2",  "--resume",
+                                           "--json",  "-o",      folder_ / "bench"};
+  const ProcessResult first = runMres(arguments);
+  ASSERT_EQ(first.exitCode, 0) << first.err;
+  const std::string file = readFile(folder_.path() / "bench/results.json");
+  const json report = json::parse(first.out);
+  EXPECT_EQ(report, json::parse(file));
+  std::vector<std::string> effects;
+  for (const json& result : report["results"]) {
+    effects.push_back(result["effect"]);
+    EXPECT_EQ(result["scene"], "office");
+    EXPECT_EQ(result["time_ms"]["runs"], 2);
+    EXPECT_GT(result["seconds"], 0.0);
+  }
+  EXPECT_THAT(effects, testing::ElementsAre("ssao", "ssao", "ssm", "ssgi"));
+  EXPECT_TRUE(
+      fs::exists(folder_.path() / "bench" / report["results"][0]["pictures"]["mres"].get<std::string>()));
+  const std::string page = readFile(folder_.path() / "bench/report.html");
+  EXPECT_THAT(page,
+              AllOf(HasSubstr("data:image/jpeg"), HasSubstr("Against the truth"), HasSubstr("</html>")));
+  if (first.err.empty()) {  // else it says that there is no gnuplot
+    EXPECT_THAT(filesBelow("bench/plots"), testing::Contains("speedup-by-size.svg"));
+  }
+
+  EXPECT_EQ(runMres(arguments).out, first.out);
+  EXPECT_EQ(readFile(folder_.path() / "bench/results.json"), file) << "something was measured again";
+}
+
+TEST_F(Command, BenchReportsWhatIsThereWithoutMeasuring) {
+  const fs::path output = folder_.path() / "bench";
+  ASSERT_THAT(
+      succeed({"bench", "--suite", "smoke", "--scenes", scene_, "--no-timing", "-o", output.string()}),
+      HasSubstr("Measured in "));
+  const std::string results = readFile(output / "results.json");
+  const std::string page = readFile(output / "report.html");
+  fs::remove(output / "report.html");
+  const ProcessResult again = runMres({"bench", "--report", "--json", "-o", output.string()},
+                                      {"__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent.json"});
+  EXPECT_EQ(again.exitCode, 0) << again.err;
+  EXPECT_EQ(again.out, results);
+  EXPECT_EQ(readFile(output / "results.json"), results);
+  EXPECT_EQ(readFile(output / "report.html"), page);
+}
+
+TEST_F(Command, BenchKeepsResultsThatItIsNotToldToResume) {
+  const fs::path output = folder_.path() / "bench";
+  const std::vector<std::string> arguments{"bench", "--suite",     "smoke", "--scenes",
+                                           scene_,  "--no-timing", "-o",    output.string()};
+  succeed(arguments);
+  const std::string results = readFile(output / "results.json");
+  EXPECT_THAT(runMres(arguments).err, AllOf(HasSubstr("results.previous.json"), testing::EndsWith("'.\n")));
+  EXPECT_EQ(readFile(output / "results.previous.json"), results);
+}
+
+TEST_F(Command, BenchLeavesOutWhatItCannotMeasure) {
+  const fs::path output = folder_.path() / "bench";
+  writeFile(folder_.path() / "scenes/good.gltf", readFile(scene_));
+  writeFile(folder_.path() / "scenes/broken.glb", "");
+  const ProcessResult result = runMres(
+      {"bench", "--suite", "smoke", "--scenes", folder_ / "scenes", "--no-timing", "-o", output.string()});
+  EXPECT_EQ(result.exitCode, 1);
+  EXPECT_THAT(result.err, AllOf(HasSubstr("broken.glb"), testing::EndsWith("reasons above, of: broken.\n")));
+  EXPECT_EQ(std::ranges::count(result.err, '\n'), 2) << result.err;
+  const json results = json::parse(readFile(output / "results.json"))["results"];
+  EXPECT_EQ(results.size(), 4U);
+  for (const json& each : results) EXPECT_EQ(each["scene"], "good");
+  EXPECT_TRUE(fs::exists(output / "report.html"));
+}
+
+TEST_F(Command, BenchOfNothingButBrokenScenesLeavesNothing) {
+  writeFile(folder_.path() / "broken.glb", "");
+  const ProcessResult result =
+      runMres({"bench", "--suite", "smoke", "--scenes", folder_ / "broken.glb", "-o", folder_ / "bench"});
+  EXPECT_EQ(result.exitCode, 1);
+  EXPECT_EQ(result.out, "");
+  EXPECT_THAT(result.err, testing::EndsWith("\nmres: Nothing could be measured.\n"));
+  EXPECT_FALSE(fs::exists(folder_.path() / "bench"));
+}
+
+}  // namespace
+}  // namespace host::test
