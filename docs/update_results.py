@@ -71,6 +71,9 @@ def machine(report, _folder, _page):
         parts.append(f"commit {report['commit']}")
     if report.get("date"):
         parts.append(report["date"])
+    seconds = sum(r.get("seconds", 0.0) for r in report["results"])
+    if seconds > 0:
+        parts.append(f"{len(report['results'])} pictures in {seconds / 60:.0f} minutes")
     return ", ".join(parts) + ".\n"
 
 

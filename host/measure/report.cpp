@@ -68,14 +68,15 @@ void addTimes(Json& result, const InterleavedTimes& times) {
   result["speedup_interval"] = {speedup.low, speedup.high};
 }
 
-/// The floor is what the levels alone would take at the reference's cost per pixel: masks, filters and blends
-/// are what comes on top. Null where nothing was timed.
+/// The floor is what the levels alone would take at the reference's cost per pixel, their filters included:
+/// masks, stencils and blends are what comes on top. Null where nothing was timed or no coverage is known.
 void addEfficiency(Json& result, const std::vector<double>& coverage) {
   double work = 0.0;
   for (std::size_t level = 0; level < coverage.size(); ++level)
     work += std::ldexp(coverage[level], -2 * static_cast<int>(level));
-  const bool isTimed = !result["speedup"].is_null();
-  result["work"] = coverage.empty() ? Json() : Json(work);
+  const bool isKnown = !coverage.empty();
+  const bool isTimed = isKnown && !result["speedup"].is_null();
+  result["work"] = isKnown ? Json(work) : Json();
   result["floor_ms"] = isTimed ? Json(result["reference_time_ms"]["median"].get<double>() * work) : Json();
   result["efficiency"] = isTimed ? Json(result["speedup"].get<double>() * work) : Json();
 }

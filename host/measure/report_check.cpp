@@ -108,9 +108,10 @@ constexpr std::array kResultFields{Field{"scene", isText},
                                    Field{"pictures", isPictures}};
 
 /// Fields that older reports lack.
-constexpr std::array kLaterFields{Field{"truth", isNullOr<isTableOf<isTruth>>}, Field{"seconds", isNumber},
-                                  Field{"warnings", isListOf<isText>},          Field{"work", isNullOr<isNumber>},
-                                  Field{"floor_ms", isNullOr<isNumber>},        Field{"efficiency", isNullOr<isNumber>}};
+constexpr std::array kLaterFields{
+    Field{"truth", isNullOr<isTableOf<isTruth>>}, Field{"seconds", isNumber},
+    Field{"warnings", isListOf<isText>},          Field{"work", isNullOr<isNumber>},
+    Field{"floor_ms", isNullOr<isNumber>},        Field{"efficiency", isNullOr<isNumber>}};
 
 /// A speedup comes with the times it is of, and plots show it with the error.
 constexpr std::array kFieldsOfASpeedup{"time_ms", "reference_time_ms", "clock", "speedup_interval", "error"};

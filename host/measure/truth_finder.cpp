@@ -101,7 +101,8 @@ Truth TruthFinder::rayTraced(const mres::Frame& frame, const EffectInputs& input
   if (!rayScene_) rayScene_.emplace(scene_);
   const GridSurfaces surfaces = readSurfaces(rayGridOf(frame.size), frame);
   if (settings_.effect == kSoftShadowEffect)
-    return traceVisibility(*rayScene_, surfaces, lightRays(settings_.softShadows, frame, inputs.shadow), observe);
+    return traceVisibility(*rayScene_, surfaces, lightRays(settings_.softShadows, frame, inputs.shadow),
+                           observe);
   return traceAccessibility(*rayScene_, surfaces, {settings_.ssao.radius, settings_.ssao.intensity}, observe);
 }
 

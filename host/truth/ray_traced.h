@@ -20,13 +20,14 @@ struct OcclusionRays {
 Truth traceAccessibility(const RayScene& scene, const GridSurfaces& surfaces, const OcclusionRays& rays,
                          const WorkObserver& observe);
 
-/// The share of a light's disk that each surface sees. As in the effect, surfaces that face away from its centre
-/// see nothing of it, and those that its shadow map does not cover see all.
+/// The share of a light's disk that each surface sees. As in the effect, surfaces that face away from its
+/// centre see nothing of it, and those that its shadow map does not cover see all.
 struct LightRays {
   /// World: unit direction to a parallel light and 0, or a lamp's position and 1. A lamp's disk faces the
   /// surface, as a sphere's does.
   glm::vec4 place{0.0f, 1.0f, 0.0f, 0.0f};
-  float extent = 0.0046f;  ///< tangent of half of a parallel light's angle in the sky; a lamp's radius in metres
+  float extent =
+      0.0046f;  ///< tangent of half of a parallel light's angle in the sky; a lamp's radius in metres
   std::optional<glm::mat4> mapFromWorld = {};  ///< to 0..1 after division by w; none: it covers everything
 };
 Truth traceVisibility(const RayScene& scene, const GridSurfaces& surfaces, const LightRays& light,

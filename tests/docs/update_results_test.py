@@ -67,6 +67,8 @@ class UpdateResults(unittest.TestCase):
 
     def test_names_machine_commit_and_date(self):
         self.assertIn("llvmpipe, 4.5, 2 cores, commit abc, 2026-01-02.\n", self.page("machine"))
+        timed = REPORT | {"results": [r | {"seconds": 50.0} for r in REPORT["results"]]}
+        self.assertIn("abc, 2026-01-02, 3 pictures in 2 minutes.\n", self.page("machine", timed))
 
     def test_averages_what_is_there(self):
         self.assertIn("| ssao 4, 64×36 | 3 | 2.50 | 2.00 | 3.00 | 0.50 | 0.0200 | 0.0300 |", self.page("summary"))

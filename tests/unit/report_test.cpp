@@ -97,6 +97,14 @@ TEST(Report, SaysWhichClockItsTimesAreOf) {
   EXPECT_EQ(result["gpu_time_ms"]["median"], 50.0);
 }
 
+TEST(Report, ClaimsNoEfficiencyWithoutCoverage) {
+  Measurement measurement = example();
+  measurement.coverage.clear();
+  const Json result = toJson(measurement);
+  EXPECT_EQ(result["speedup"], 2.5);
+  for (const char* name : {"work", "floor_ms", "efficiency"}) EXPECT_TRUE(result[name].is_null()) << name;
+}
+
 TEST(Report, WithoutTimingHasTheSameFieldsWithNull) {
   Measurement measurement = example();
   const Json timed = toJson(measurement);
