@@ -22,6 +22,7 @@ using testing::HasSubstr;
 
 std::vector<std::string> namesOf(const std::vector<Plot>& plots) {
   std::vector<std::string> names;
+  names.reserve(plots.size());
   for (const Plot& plot : plots) names.push_back(plot.file.string());
   return names;
 }
