@@ -22,6 +22,7 @@ struct LevelSettings {
   bool used = true;           ///< The coarsest used level renders the whole screen. Level 0 always is.
   float maskVariance = 0.0f;  ///< sigma^2 in pixels^2 of this level, [0, 64]. Widens the zone around edges.
   float blendWeight = 1.0f;   ///< w_i of equation 1, [1, 1000]. Larger is a harder transition.
+  int noisePeriod = 4;        ///< pixels of this level, [1, 4]: after how many what is random repeats.
 };
 
 template <class Visitor>
@@ -32,6 +33,8 @@ void visit(LevelSettings& settings, Visitor&& visitor) {
           SettingInfo{"pixels^2", 0.0, 64.0, "Widens the level's zone around edges."});
   visitor("blendWeight", settings.blendWeight,
           SettingInfo{"", 1.0, 1000.0, "Larger is a harder transition to the next coarser level."});
+  visitor("noisePeriod", settings.noisePeriod,
+          SettingInfo{"pixels", 1.0, 4.0, "After how many of the level's pixels what is random repeats."});
 }
 
 using LevelTable = std::array<LevelSettings, kMaxLevels>;
@@ -48,8 +51,8 @@ struct EffectDescription {
   /// Michelson's contrast of the largest channels, |a - b| / max(a + b, 0.1).
   int channels = 1;
   glm::vec4 background{1.0f};  ///< Effect::background(), unless that says otherwise.
-  /// What is random in shade() repeats every 4x4 pixels of Surface::levelPixel; the depth-aware filter of
-  /// each level takes the mean over these. False: no filter.
+  /// What is random in shade() depends on Surface::noisePixel alone, which repeats every
+  /// LevelSettings::noisePeriod pixels; the depth-aware filter takes the mean over these. False: no filter.
   bool filtered = true;
   /// Wants the mips of view depth, `uniform sampler2D depthPyramid`, read by texelFetch(): texel t of mip m
   /// is the view depth of full-resolution pixel t * 2^m + 2^m / 2, 1e18 where there is no surface. Mip m has

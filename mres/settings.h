@@ -27,8 +27,8 @@ enum MaskCombination : int {
 struct MaskSettings {
   float normalThreshold = 20.0f;  ///< degrees, [0, 180]. Neighbours' normals further apart are an edge.
   float depthThreshold = 0.05f;   ///< metres, [0, 100]. Larger steps in depth, off a plane, are an edge.
-  float refineThreshold = 0.06f;  ///< [0, 1]. Least gain worth refining: a difference or, of radiances,
-                                  ///< Michelson's contrast (0.06: a ratio of 1.13); 0: any.
+  float refineThreshold = 0.1f;   ///< [0, 1]. Least gain worth refining: a difference or, of radiances,
+                                  ///< Michelson's contrast (0.1: a ratio of 1.22); 0: any.
   bool geometryAlways = false;  ///< Refine at geometry's edges even for effects that find edges of their own.
   bool minMaxMips = false;  ///< Find geometry's edges by min/max mips of depth and normals, for comparison.
   bool disjoint = false;    ///< Each pixel in one level alone, for comparison; as if refineThreshold were 0.
@@ -45,7 +45,7 @@ void visit(MaskSettings& settings, Visitor&& visitor) {
       "refineThreshold", settings.refineThreshold,
       SettingInfo{
           "", 0.0, 1.0,
-          "At edges, refine a level further only where it differed from the coarser one by more (radiances "
+          "At edges, refine to the full resolution only where the level before differed by more (radiances "
           "in Michelson's contrast); 0: wherever there are edges."});
   visitor(
       "geometryAlways", settings.geometryAlways,

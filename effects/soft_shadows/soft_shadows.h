@@ -11,7 +11,7 @@ inline constexpr int kMaxSoftShadowSamples = 1024;
 
 /// Table 1, column SSM.
 inline constexpr LevelTable kSoftShadowLevels = {
-    {{true, 0.924f, 1000.0f}, {true, 1.848f, 1000.0f}, {true, 3.696f, 1000.0f}, {true, 0.0f, 1.0f}}};
+    {{true, 0.924f, 1000.0f}, {true, 1.848f, 1000.0f, 2}, {true, 3.696f, 1000.0f, 2}, {true, 0.0f, 1.0f, 2}}};
 
 struct SoftShadowSettings {
   int samples = 196;              ///< 1..1024. Texels of the shadow map that are compared for each pixel.

@@ -10,12 +10,13 @@ namespace mres {
 inline constexpr int kMaxSsaoSamples = 256;
 
 /// Table 1 of Besenthal, Maisch and Ropinski 2019, column SSAO.
+/// Coarse levels repeat their noise every two pixels: then less lies between what is averaged.
 inline constexpr LevelTable kSsaoLevels = {
-    {{true, 0.924f, 100.0f}, {true, 1.848f, 50.0f}, {true, 3.696f, 20.0f}, {true, 0.0f, 1.0f}}};
+    {{true, 0.924f, 100.0f}, {true, 1.848f, 50.0f, 2}, {true, 3.696f, 20.0f, 2}, {true, 0.0f, 1.0f, 2}}};
 
 struct SsaoSettings {
-  float radius = 0.5f;  ///< metres, [0, 100]. Reach of the occlusion.
-  int samples = 64;     ///< 1..256. Points per pixel; a 4x4 pattern of rotations multiplies them by sixteen.
+  float radius = 0.5f;     ///< metres, [0, 100]. Reach of the occlusion.
+  int samples = 64;        ///< 1..256. Points per pixel; a pattern of rotations multiplies them.
   float intensity = 1.0f;  ///< [0, 4]. Multiplies the occlusion.
   float bias = 0.02f;  ///< share of the radius, [0, 1]. Lower rises over the tangent plane do not occlude.
   int seed = 0;        ///< [0, 65535]. Chooses the point set.

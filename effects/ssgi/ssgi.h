@@ -11,11 +11,11 @@ namespace mres {
 /// paper has none (level 1 not used): folds and mouldings between the quarter level's pixels then break up
 /// into blocks.
 inline constexpr LevelTable kSsgiLevels = {
-    {{true, 0.924f, 1000.0f}, {true, 0.924f, 100.0f}, {true, 0.924f, 100.0f}, {true, 0.0f, 1.0f}}};
+    {{true, 0.924f, 1000.0f}, {true, 0.924f, 100.0f, 2}, {true, 0.924f, 100.0f, 2}, {true, 0.0f, 1.0f, 2}}};
 
 struct SsgiSettings {
-  float radius = 1.0f;  ///< metres, [0, 100]. Reach of the occlusion and of the bounce.
-  int samples = 228;    ///< 8..8192. Points per pixel; a 4x4 pattern of rotations multiplies them by sixteen.
+  float radius = 1.0f;     ///< metres, [0, 100]. Reach of the occlusion and of the bounce.
+  int samples = 228;       ///< 8..8192. Points per pixel; a pattern of rotations multiplies them.
   float intensity = 1.0f;  ///< [0, 4]. Multiplies the bounce.
   float bias = 0.02f;      ///< share of the radius, [0, 1]. Lower rises over the tangent plane do not block.
   float maxRadiance = 8.0f;  ///< [0, 1000]. Of a lit pixel. One much brighter than the rest, met by few

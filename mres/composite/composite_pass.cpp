@@ -15,7 +15,7 @@ std::string defines(const EffectDescription& effect, LevelRole role) {
   return define("DISJOINT", 0) + define("EFFECT_CHANNELS", effect.channels) +
          define("FILTERED", effect.filtered ? 1 : 0) +
          define("COARSEST", role == LevelRole::coarsest ? 1 : 0) +
-         define("REFINABLE", role == LevelRole::intermediate ? 1 : 0);
+         define("REFINABLE", role == LevelRole::refinable ? 1 : 0);
 }
 
 }  // namespace
@@ -25,7 +25,7 @@ CompositePass::CompositePass(const gl::ShaderLibrary& library, const EffectDescr
       filter_(makePassProgram(library, "mres/filter_horizontal.frag", defines(effect, LevelRole::coarsest))),
       alone_(makePassProgram(library, "mres/composite.frag", defines(effect, LevelRole::coarsest))),
       zoned_(makeZonePrograms(library, effect, LevelRole::zoned)),
-      intermediate_(makeZonePrograms(library, effect, LevelRole::intermediate)) {}
+      refinable_(makeZonePrograms(library, effect, LevelRole::refinable)) {}
 
 CompositePass::ZonePrograms CompositePass::makeZonePrograms(const gl::ShaderLibrary& library,
                                                             const EffectDescription& effect, LevelRole role) {
@@ -61,7 +61,7 @@ void CompositePass::drawAlone(PassContext& context, const LevelTargets& level) {
 }
 
 const CompositePass::ZonePrograms& CompositePass::programsOf(const LevelTargets& level) const {
-  return level.role() == LevelRole::intermediate ? intermediate_ : zoned_;
+  return level.role() == LevelRole::refinable ? refinable_ : zoned_;
 }
 
 void CompositePass::drawOutsideZone(PassContext& context, const LevelTargets& level, const ZoneInputs& inputs,

@@ -39,7 +39,7 @@ class CompositePass {
   [[nodiscard]] const ZonePrograms& programsOf(const LevelTargets& level) const;
 
   ZonePrograms zoned_;
-  ZonePrograms intermediate_;
+  ZonePrograms refinable_;
 };
 
 }  // namespace mres

@@ -36,8 +36,8 @@ LevelTargets::Targets LevelTargets::make(const EffectDescription& effect, glm::i
   };
   targets.raw = makeTarget({rawFormat}, "mres.level");
   if (effect.filtered) targets.filteredAlongX = makeTarget({rawFormat}, "mres.filter");
-  targets.composed = role == LevelRole::intermediate ? makeTarget({resultFormat, GL_R8}, "mres.composite")
-                                                     : makeTarget({resultFormat}, "mres.composite");
+  targets.composed = role == LevelRole::refinable ? makeTarget({resultFormat, GL_R8}, "mres.composite")
+                                                  : makeTarget({resultFormat}, "mres.composite");
   return targets;
 }
 
@@ -61,19 +61,16 @@ params::LevelParams levelParams(const LevelNeighbours& level, glm::ivec2 fullSiz
     const PlannedLevel& coarser = *level.coarser;
     params.coarserFromPixel = 1.0f / (static_cast<float>(1 << coarser.index) * glm::vec2(coarser.size));
     params.lastInterval = lastInterval(coarser, fullSize);
-    if (level.finer != nullptr) params.refineReach = 1.0f / glm::vec2(coarser.size);
   }
   params.maskFromPixel =
       1.0f / (static_cast<float>(2 * stride) * glm::vec2(levelSize(fullSize, level.level.index + 1)));
   params.blendWeight = level.level.settings.blendWeight;
+  params.noisePeriod = level.level.settings.noisePeriod;
   const glm::ivec2 blocks = (level.level.size + ZONE_BLOCK - 1) / ZONE_BLOCK;
   params.zoneFromPixel = 1.0f / static_cast<float>(ZONE_BLOCK) / glm::vec2(blocks);
   // Half a block from the border a bilinear sample sees the zone alone; on the border, half of it.
   params.zoneFade = level.progressive ? 2.0f : 0.0f;
-  if (level.finer != nullptr) {
-    // Of what shows, a level sees a quarter of what the next finer one does.
-    params.refineThreshold = std::ldexp(refineThreshold, -2 * level.finer->index);
-  }
+  params.refineThreshold = refineThreshold;
   return params;
 }
 

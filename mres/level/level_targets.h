@@ -10,9 +10,9 @@ namespace mres {
 
 /// A level's place among those that a frame renders. A frame of one level has the coarsest alone.
 enum class LevelRole {
-  zoned,         ///< renders in its zone
-  intermediate,  ///< renders in its zone, and says where refining it further would show
-  coarsest       ///< renders the whole screen
+  zoned,      ///< renders in its zone
+  refinable,  ///< renders in its zone, and says where refining it to the full resolution would show
+  coarsest    ///< renders the whole screen
 };
 
 /// What one effect renders into at one level, made on first use and when the size changes.
@@ -54,11 +54,10 @@ struct ZoneInputs {
   const gl::Texture2D* refine = nullptr;   ///< where the coarser level saw a difference; null: it has no say
 };
 
-/// A level among those that a frame renders; null where there is no coarser or finer one.
+/// A level among those that a frame renders; null where there is no coarser one.
 struct LevelNeighbours {
   const PlannedLevel& level;
   const PlannedLevel* coarser = nullptr;
-  const PlannedLevel* finer = nullptr;
   bool progressive = false;  ///< whether the zone also ends where the coarser level saw no difference
 };
 

@@ -141,7 +141,7 @@ vec4 shade(Surface surface) {
     Receiver receiver = receiverAt(surface);
     float visibility;
     if (isDecided(surface, receiver, visibility)) return vec4(visibility);
-    float azimuth = azimuthOf(surface.levelPixel);
+    float azimuth = azimuthOf(surface.noisePixel);
     float radius = penumbraScale == 0.0 ? filterRadius : penumbraRadius(receiver, azimuth);
     Disk disk = diskAround(receiver, radius, azimuth);
     int lit = 0;
@@ -160,7 +160,7 @@ vec2 preview(Surface surface) {
     Receiver receiver = receiverAt(surface);
     float visibility;
     if (isDecided(surface, receiver, visibility)) return vec2(visibility);
-    Disk disk = diskAround(receiver, filterRadius, azimuthOf(surface.levelPixel));
+    Disk disk = diskAround(receiver, filterRadius, azimuthOf(surface.noisePixel));
     float leastDepth = receiver.depth - depthBias(receiver, 1.0);
     float blockingHeight = penumbraScale == 0.0 ? 0.0 : max(leastDepth - disk.depth, 0.0);
     bool someLit = false, someBlocked = false;

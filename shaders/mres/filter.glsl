@@ -1,6 +1,6 @@
-// The depth-aware filter that integrates the effects' repeating 4x4 patterns exactly: five taps weighted
-// 1/8 1/4 1/4 1/4 1/8 (a period of four, symmetric about the pixel), one axis a pass, each tap trusted as far as
-// it lies on the centre's tangent plane. A tap that was not rendered has filter depth 0 and no weight.
+// The depth-aware filter that integrates the effects' repeating patterns exactly: a period, symmetric about the pixel
+// (for four pixels 1/8 1/4 1/4 1/4 1/8, for two 1/4 1/2 1/4), one axis a pass, each tap trusted as far as it lies on the
+// centre's tangent plane. A tap that was not rendered has filter depth 0 and no weight.
 #include "mres/filter_depth.glsl"
 #include "mres/frame.glsl"
 #include "mres/level.glsl"
@@ -50,21 +50,22 @@ float trustIn(PlaneAlong plane, float pixels, float viewDepth) {
 // Off the screen, the pixel of the same phase of the pattern on the other side stands in.
 ivec2 tapInside(ivec2 levelPixel) {
     ivec2 last = levelSize - 1;
-    ivec2 inside = levelPixel + 4 * (ivec2(lessThan(levelPixel, ivec2(0))) - ivec2(greaterThan(levelPixel, last)));
+    ivec2 inside = levelPixel + noisePeriod * (ivec2(lessThan(levelPixel, ivec2(0))) - ivec2(greaterThan(levelPixel, last)));
     return clamp(inside, ivec2(0), last);
 }
 
 // Filters along `axis` around a pixel of this level; `centre` is that pixel's texel. Sums differences, so that equal
 // values stay what they are, to the last bit.
 Value filterAlong(ivec2 axis, ivec2 levelPixel, vec4 centre) {
-    const float kKernel[2] = float[2](0.25, 0.125);
+    float share = 1.0 / float(noisePeriod);
     ivec2 fullPixel = representativePixel(levelPixel, size);
     PlaneAlong plane = tangentPlane(axis, fullPixel, viewDepthOfFilter(FILTER_DEPTH(centre)));
     bool background = isBackgroundFilterDepth(FILTER_DEPTH(centre));
     Value value = VALUE(centre);
     Value sum = Value(0.0);
-    float weightSum = 0.25;
-    for (int i = 0; i < 4; ++i) {
+    float weightSum = share;
+    int taps = noisePeriod >> 1 << 1;
+    for (int i = 0; i < taps; ++i) {
         int distance = 1 + (i >> 1);
         ivec2 tap = tapInside(levelPixel + axis * ((i & 1) == 0 ? distance : -distance));
         vec4 texel = texelFetch(levelTexture, tap, 0);
@@ -72,7 +73,7 @@ Value filterAlong(ivec2 axis, ivec2 levelPixel, vec4 centre) {
         float trust = trustIn(plane, float(pixels.x + pixels.y), viewDepthOfFilter(FILTER_DEPTH(texel)));
         bool rendered = FILTER_DEPTH(texel) > 0.0;
         bool sameKind = isBackgroundFilterDepth(FILTER_DEPTH(texel)) == background;
-        float weight = rendered && sameKind ? kKernel[i >> 1] * trust : 0.0;
+        float weight = rendered && sameKind ? (2 * distance == noisePeriod ? 0.5 * share : share) * trust : 0.0;
         // What was not rendered may be anything, even not a number.
         sum += (weight > 0.0 ? VALUE(texel) - value : Value(0.0)) * weight;
         weightSum += weight;

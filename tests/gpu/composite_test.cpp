@@ -62,11 +62,6 @@ struct Composed {
   Image refine;
 };
 
-/// What the coarser level found reaches one texel further, but for the finest level.
-double reachOf(const PlannedLevel& level) {
-  return level.index == 0 ? 0.0 : 1.0;
-}
-
 /// The weight that is left at the border of a zone that refinement limits: none there, all of it half a block
 /// inside.
 double zoneWeight(const Image& zone, glm::ivec2 levelPixel) {
@@ -82,8 +77,7 @@ bool isZone(const PlannedLevel& level, glm::ivec2 block, const Image& mask, cons
   if (largestIn(mask, low / (2.0 * stride), high / (2.0 * stride), 2) == 0.0) return false;
   if (coarser.refine.texels.empty()) return true;
   const double coarserStride = std::exp2(coarser.level);
-  return largestIn(coarser.refine, low / coarserStride - reachOf(level),
-                   high / coarserStride + reachOf(level), 3) > 0.0;
+  return largestIn(coarser.refine, low / coarserStride, high / coarserStride, 2) > 0.0;
 }
 
 Image zoneOf(const PlannedLevel& level, const Image& mask, const Composed& coarser) {
@@ -95,11 +89,12 @@ Image zoneOf(const PlannedLevel& level, const Image& mask, const Composed& coars
   return zone;
 }
 
-/// What makes a level refine its coarser one further. Without a threshold the masks alone do.
+/// What makes the full level refine its coarser one. Without a threshold the masks alone do.
 struct Refinement {
   double threshold = 0.0;
   std::function<double(double, double)> difference = [](double a, double b) { return std::abs(a - b); };
   bool fades = true;
+  bool decides = true;  ///< whether the level has a say
 };
 
 /// The weight of equation 1.
@@ -135,7 +130,7 @@ Composed compose(const PlannedLevel& level, glm::ivec2 fullSize, const Image& ma
     const bool differs = rendered && refinement.difference(value, below) > refinement.threshold;
     composed.refine.texels.push_back(differs ? 1.0f : 0.0f);
   }
-  if (refinement.threshold == 0.0) composed.refine = {};
+  if (!refinement.decides) composed.refine = {};
   return composed;
 }
 
@@ -143,11 +138,8 @@ Image composeAll(const LevelPlan& plan, const std::vector<Image>& masks, const R
   const glm::ivec2 fullSize = plan.levels.front().size;
   Composed composed = composeCoarsest(plan.levels.back(), fullSize);
   for (std::size_t i = plan.levels.size() - 1; i-- > 0;) {
-    // A level that decides for the half or the quarter level sees a quarter of the difference, or a
-    // sixteenth.
-    const double share = i == 0 ? 1.0 : std::exp2(-2.0 * plan.levels[i - 1].index);
     Refinement seen = refinement;
-    seen.threshold *= share;
+    seen.decides = i == 1 && refinement.threshold > 0.0;
     composed = compose(plan.levels[i], fullSize, masks[i], composed, seen);
   }
   return composed.picture;

@@ -13,8 +13,12 @@
 namespace mres::test {
 namespace {
 
-constexpr int kReach = 2;  // pixels from a tap to the centre
-constexpr std::array<double, 2 * kReach + 1> kKernel = {0.125, 0.25, 0.25, 0.25, 0.125};
+/// The share of one pixel in a period that is symmetric about the centre: one that is half inside counts
+/// half.
+double kernel(int offset, int period) {
+  const double inside = std::clamp(0.5 * period - std::abs(offset) + 0.5, 0.0, 1.0);
+  return inside / period;
+}
 
 /// Values and filter depth of a level before the filter, and the full resolution's normals.
 struct Input {
@@ -48,11 +52,13 @@ class FilterReference {
     return glm::min(pixel * stride + stride / 2, input_.fullSize - 1);
   }
 
-  /// Off the screen, the pixel of the same phase of a 4x4 pattern on the other side.
+  [[nodiscard]] int period() const { return input_.level.settings.noisePeriod; }
+
+  /// Off the screen, the pixel of the same phase of the pattern on the other side.
   [[nodiscard]] glm::ivec2 inside(glm::ivec2 pixel) const {
     for (int axis = 0; axis < 2; ++axis) {
-      if (pixel[axis] < 0) pixel[axis] += 4;
-      if (pixel[axis] >= input_.raw.size[axis]) pixel[axis] -= 4;
+      if (pixel[axis] < 0) pixel[axis] += period();
+      if (pixel[axis] >= input_.raw.size[axis]) pixel[axis] -= period();
     }
     return pixel;
   }
@@ -79,12 +85,12 @@ class FilterReference {
 
   template <class Value>
   [[nodiscard]] double along(glm::ivec2 axis, glm::ivec2 pixel, const Value& value) const {
-    double sum = 0.25 * value(pixel);
-    double weights = 0.25;
-    for (int offset = -kReach; offset <= kReach; ++offset) {
+    double sum = kernel(0, period()) * value(pixel);
+    double weights = kernel(0, period());
+    for (int offset = -period(); offset <= period(); ++offset) {
       if (offset == 0) continue;
       const glm::ivec2 tap = inside(pixel + offset * axis);
-      const double weight = kKernel.at(static_cast<std::size_t>(offset + kReach)) * trust(pixel, tap);
+      const double weight = kernel(offset, period()) * trust(pixel, tap);
       if (weight == 0.0) continue;
       sum += weight * value(tap);
       weights += weight;
@@ -97,12 +103,12 @@ class FilterReference {
 };
 
 /// A bumpy wall: neighbours lie about as far off each other's planes as the filter tolerates.
-Input randomInput(glm::ivec2 fullSize, int level, int valueChannels, unsigned seed) {
+Input randomInput(glm::ivec2 fullSize, int level, int period, int valueChannels, unsigned seed) {
   std::mt19937 generator(seed);
   std::uniform_real_distribution<float> random(0.0f, 1.0f);
   std::normal_distribution<float> bump;
   Input input{.fullSize = fullSize,
-              .level = {level, levelSize(fullSize, level), {}},
+              .level = {level, levelSize(fullSize, level), {.noisePeriod = period}},
               .frame = {.depth = 1, .normals = 1, .size = fullSize, .projection = perspective(fullSize)},
               .raw = {levelSize(fullSize, level), valueChannels + 1, {}},
               .normals = {}};
@@ -154,11 +160,14 @@ class FilterReferenceTest : public GlTest {
   gl::UniformBuffer<params::FrameParams> frameBlock_;
 };
 
-TEST_F(FilterReferenceTest, OfRandomDepthsNormalsAndHoles) {
+class FilterOfPeriod : public FilterReferenceTest, public testing::WithParamInterface<int> {};
+
+TEST_P(FilterOfPeriod, OfRandomDepthsNormalsAndHoles) {
   for (const int level : {0, 2}) {
     for (const int channels : {1, 3}) {
       const glm::ivec2 fullSize = glm::ivec2(45, 37) * (1 << level) - 1;
-      Input input = randomInput(fullSize, level, channels, static_cast<unsigned>(level + channels));
+      Input input =
+          randomInput(fullSize, level, GetParam(), channels, static_cast<unsigned>(level + channels));
       const Image image = filter(input);
       const FilterReference reference(input);
       int changed = 0;
@@ -173,10 +182,12 @@ TEST_F(FilterReferenceTest, OfRandomDepthsNormalsAndHoles) {
           }
         }
       }
-      EXPECT_GT(changed, 400) << "the filter does something";
+      EXPECT_EQ(changed > 400, GetParam() > 1) << "whether the filter does something";
     }
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Periods, FilterOfPeriod, testing::Values(1, 2, 3, 4));
 
 }  // namespace
 }  // namespace mres::test

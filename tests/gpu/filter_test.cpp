@@ -1,4 +1,4 @@
-// The filter of each level: exact means of 4x4 patterns on surfaces, nothing taken across steps.
+// The filter of each level: exact means of repeating patterns on surfaces, nothing taken across steps.
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -12,9 +12,16 @@ namespace mres::test {
 namespace {
 
 constexpr const char* kPattern =
-    "int i = (surface.levelPixel.y & 3) * 4 + (surface.levelPixel.x & 3);\n"
+    "int i = surface.noisePixel.y * 4 + surface.noisePixel.x;\n"
     "return vec4(float(i * 7 % 16) / 16.0);";
-constexpr double kPatternMean = 7.5 / 16.0;
+/// The mean of as much of it as repeats.
+double patternMean(int period) {
+  double sum = 0.0;
+  for (int y = 0; y < period; ++y) {
+    for (int x = 0; x < period; ++x) sum += (y * 4 + x) * 7 % 16 / 16.0;
+  }
+  return sum / (period * period);
+}
 constexpr double kHalfRounding = 1.0 / 2048.0;
 
 glm::dvec3 tilted(double degrees, double azimuth) {
@@ -48,8 +55,8 @@ TEST_F(Filter, IntegratesAPatternExactlyOnPlanesOfEveryTilt) {
     for (const double tilt : {0.0, 30.0, 60.0, 75.0}) {
       const glm::dvec3 normal = tilted(tilt, 0.6);
       const SyntheticGBuffer gbuffer(size, projection, plane(normal, -normal.z * 10.0));
-      EXPECT_LT(largestDistance(render(one, gbuffer.frame()), kPatternMean), kHalfRounding) << tilt;
-      EXPECT_LT(largestDistance(render(three, gbuffer.frame()), kPatternMean), kHalfRounding) << tilt;
+      EXPECT_LT(largestDistance(render(one, gbuffer.frame()), patternMean(4)), kHalfRounding) << tilt;
+      EXPECT_LT(largestDistance(render(three, gbuffer.frame()), patternMean(4)), kHalfRounding) << tilt;
     }
   }
 }
@@ -63,16 +70,20 @@ TEST_F(Filter, WorksOnBothSidesOfTheEyeOfAnOrthographicCamera) {
       return Hit{depth + 0.3 * origin.x + 0.2 * origin.y, glm::normalize(glm::dvec3(0.3, 0.2, 1.0))};
     };
     const SyntheticGBuffer gbuffer(size, projection, tiltedPlane);
-    EXPECT_LT(largestDistance(render(effect, gbuffer.frame()), kPatternMean), kHalfRounding) << depth;
+    EXPECT_LT(largestDistance(render(effect, gbuffer.frame()), patternMean(4)), kHalfRounding) << depth;
   }
 }
 
 TEST_F(Filter, IntegratesThePatternOfACoarseLevel) {
   const glm::ivec2 size(257, 193);
-  TestEffect effect({.body = kPattern, .filtered = true});
   const SyntheticGBuffer gbuffer(size, perspective(size), plane({0.2, 0.1, 1.0}, -5.0));
-  EXPECT_LT(largestDistance(render(effect, gbuffer.frame(), Technique::multiResolution), kPatternMean),
-            kHalfRounding);
+  for (const int period : {1, 2, 3, 4}) {
+    LevelTable levels = kSsaoLevels;
+    levels[3].noisePeriod = period;
+    TestEffect effect({.body = kPattern, .filtered = true, .levels = levels});
+    const Image image = render(effect, gbuffer.frame(), Technique::multiResolution);
+    EXPECT_LT(largestDistance(image, patternMean(period)), kHalfRounding) << period;
+  }
 }
 
 TEST_F(Filter, TakesNothingAcrossADepthStep) {

@@ -115,6 +115,13 @@ TEST_F(MultiResolutionTest, RefusesSettingsOutOfRangeAndStaysUsable) {
     EXPECT_THAT([&] { multiResolution_.render(effect, gbuffer.frame()); },
                 refusesInASentence("LevelSettings::maskVariance must be 0 to 64 pixels^2."));
   }
+  for (const int bad : {-1, 0, 5}) {
+    LevelTable levels = kSsaoLevels;
+    levels[3].noisePeriod = bad;
+    effect.setLevels(levels);
+    EXPECT_THAT([&] { multiResolution_.render(effect, gbuffer.frame()); },
+                refusesInASentence("LevelSettings::noisePeriod must be 1 to 4 pixels."));
+  }
   effect.setLevels(kSsaoLevels);
   EXPECT_THAT(mixed(effect, gbuffer.frame()), testing::Each(0.25f));
 }

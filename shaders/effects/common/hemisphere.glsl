@@ -35,7 +35,7 @@ struct Hemisphere {
 };
 
 Hemisphere hemisphereOver(Surface surface, float radius, float bias) {
-    float azimuth = azimuthOf(surface.levelPixel);
+    float azimuth = azimuthOf(surface.noisePixel);
     vec3 tangent, bitangent;
     tangentFrame(surface.normal, tangent, bitangent);
     Hemisphere over;
