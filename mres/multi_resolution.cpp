@@ -96,7 +96,7 @@ GLuint MultiResolution::Implementation::render(Effect& effect, const Frame& fram
 }
 
 void MultiResolution::Implementation::fillReport(EffectPasses& passes) {
-  report.technique = plan.levels.size() > 1 ? Technique::multiResolution : Technique::full;
+  report.technique = plan.levels.size() > 1 ? settings.technique : Technique::full;
   report.levels.clear();
   for (const PlannedLevel& level : plan.levels) {
     report.levels.push_back({level.index, level.size, passes.coverage.of(level.index)});

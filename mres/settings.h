@@ -12,8 +12,11 @@ struct SettingInfo {
 };
 
 enum class Technique {
-  full,            ///< the effect at every pixel of the full resolution: the reference
-  multiResolution  ///< the effect at the resolution that each pixel needs
+  full,  ///< the effect at every pixel of the full resolution: the reference
+  /// Levels as Besenthal, Maisch and Ropinski (2019) have them, for comparison: chosen by blurred masks of
+  /// edges, before anything is rendered, and blended by equation 1.
+  paper,
+  multiResolution  ///< the effect at the resolution that each pixel needs, as coarser levels and edges tell
 };
 
 /// How Frame::importance and the edges make one mask.
@@ -27,8 +30,8 @@ enum MaskCombination : int {
 struct MaskSettings {
   float normalThreshold = 20.0f;  ///< degrees, [0, 180]. Neighbours' normals further apart are an edge.
   float depthThreshold = 0.05f;   ///< metres, [0, 100]. Larger steps in depth, off a plane, are an edge.
-  float refineThreshold = 0.1f;   ///< [0, 1]. Least gain worth refining: a difference or, of radiances,
-                                  ///< Michelson's contrast (0.1: a ratio of 1.22); 0: any.
+  float refineThreshold = 0.08f;  ///< [0, 1]. Least gain worth refining: a difference or, of radiances,
+                                  ///< Michelson's contrast (0.08: a ratio of 1.17); 0: edges alone.
   bool geometryAlways = false;  ///< Refine at geometry's edges even for effects that find edges of their own.
   bool minMaxMips = false;  ///< Find geometry's edges by min/max mips of depth and normals, for comparison.
   bool disjoint = false;    ///< Each pixel in one level alone, for comparison; as if refineThreshold were 0.
@@ -41,12 +44,11 @@ void visit(MaskSettings& settings, Visitor&& visitor) {
           SettingInfo{"degrees", 0.0, 180.0, "Neighbours' normals further apart are an edge."});
   visitor("depthThreshold", settings.depthThreshold,
           SettingInfo{"metres", 0.0, 100.0, "Larger steps in depth, off a plane, are an edge."});
-  visitor(
-      "refineThreshold", settings.refineThreshold,
-      SettingInfo{
-          "", 0.0, 1.0,
-          "At edges, refine to the full resolution only where the level before differed by more (radiances "
-          "in Michelson's contrast); 0: wherever there are edges."});
+  visitor("refineThreshold", settings.refineThreshold,
+          SettingInfo{
+              "", 0.0, 1.0,
+              "Least difference of a level to the coarser one that a finer level is rendered for (radiances "
+              "in Michelson's contrast); 0: edges alone decide."});
   visitor(
       "geometryAlways", settings.geometryAlways,
       SettingInfo{

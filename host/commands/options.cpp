@@ -37,8 +37,8 @@ std::string parseEffect(const std::string& name) {
 }
 
 mres::Technique parseTechnique(const std::string& name) {
-  for (const mres::Technique technique : {mres::Technique::full, mres::Technique::multiResolution})
-    if (nameOf(technique) == name) return technique;
+  const auto found = std::ranges::find(techniqueNames(), name);
+  if (found != techniqueNames().end()) return static_cast<mres::Technique>(found - techniqueNames().begin());
   throw UsageError(fmt::format("There is no technique '{}'{}", name, suggestion(name, techniqueNames())));
 }
 

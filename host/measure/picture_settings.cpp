@@ -8,12 +8,12 @@ const std::vector<std::string>& effectNames() {
 }
 
 const std::vector<std::string>& techniqueNames() {
-  static const std::vector<std::string> kNames{"full", "mres"};
+  static const std::vector<std::string> kNames{"full", "mres-paper", "mres"};
   return kNames;
 }
 
 std::string nameOf(mres::Technique technique) {
-  return techniqueNames()[technique == mres::Technique::full ? 0 : 1];
+  return techniqueNames().at(static_cast<std::size_t>(technique));
 }
 
 std::unique_ptr<mres::Effect> makeEffect(const PictureSettings& settings) {

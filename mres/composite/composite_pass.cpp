@@ -15,6 +15,7 @@ std::string defines(const EffectDescription& effect, LevelRole role) {
   return define("DISJOINT", 0) + define("EFFECT_CHANNELS", effect.channels) +
          define("FILTERED", effect.filtered ? 1 : 0) +
          define("COARSEST", role == LevelRole::coarsest ? 1 : 0) +
+         define("MASKED", role == LevelRole::masked ? 1 : 0) +
          define("REFINABLE", role == LevelRole::refinable ? 1 : 0);
 }
 
@@ -24,6 +25,7 @@ CompositePass::CompositePass(const gl::ShaderLibrary& library, const EffectDescr
     : filtered_(effect.filtered),
       filter_(makePassProgram(library, "mres/filter_horizontal.frag", defines(effect, LevelRole::coarsest))),
       alone_(makePassProgram(library, "mres/composite.frag", defines(effect, LevelRole::coarsest))),
+      masked_(makeZonePrograms(library, effect, LevelRole::masked)),
       zoned_(makeZonePrograms(library, effect, LevelRole::zoned)),
       refinable_(makeZonePrograms(library, effect, LevelRole::refinable)) {}
 
@@ -61,6 +63,7 @@ void CompositePass::drawAlone(PassContext& context, const LevelTargets& level) {
 }
 
 const CompositePass::ZonePrograms& CompositePass::programsOf(const LevelTargets& level) const {
+  if (level.role() == LevelRole::masked) return masked_;
   return level.role() == LevelRole::refinable ? refinable_ : zoned_;
 }
 

@@ -5,7 +5,7 @@
 
 namespace mres {
 
-/// Filters a level and blends it over the coarser one (equation 1 of the paper), for one kind of effect.
+/// Filters a level and blends it over the coarser one, for one kind of effect.
 class CompositePass {
  public:
   CompositePass(const gl::ShaderLibrary& library, const EffectDescription& effect);
@@ -29,7 +29,7 @@ class CompositePass {
   bool filtered_;
   gl::Program filter_;
   gl::Program alone_;
-  /// Programs of a zoned level, by whether a finer one follows (then they also write where to refine).
+  /// Programs of a level that has a zone, by its role.
   struct ZonePrograms {
     gl::Program blend;
     gl::Program outside;
@@ -38,6 +38,7 @@ class CompositePass {
                                        LevelRole role);
   [[nodiscard]] const ZonePrograms& programsOf(const LevelTargets& level) const;
 
+  ZonePrograms masked_;
   ZonePrograms zoned_;
   ZonePrograms refinable_;
 };

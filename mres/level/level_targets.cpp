@@ -1,7 +1,5 @@
 #include "mres/level/level_targets.h"
 
-#include <cmath>
-
 namespace mres {
 namespace {
 
@@ -68,8 +66,6 @@ params::LevelParams levelParams(const LevelNeighbours& level, glm::ivec2 fullSiz
   params.noisePeriod = level.level.settings.noisePeriod;
   const glm::ivec2 blocks = (level.level.size + ZONE_BLOCK - 1) / ZONE_BLOCK;
   params.zoneFromPixel = 1.0f / static_cast<float>(ZONE_BLOCK) / glm::vec2(blocks);
-  // Half a block from the border a bilinear sample sees the zone alone; on the border, half of it.
-  params.zoneFade = level.progressive ? 2.0f : 0.0f;
   params.refineThreshold = refineThreshold;
   return params;
 }

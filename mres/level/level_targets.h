@@ -11,7 +11,8 @@ namespace mres {
 /// A level's place among those that a frame renders. A frame of one level has the coarsest alone.
 enum class LevelRole {
   zoned,      ///< renders in its zone
-  refinable,  ///< renders in its zone, and says where refining it to the full resolution would show
+  refinable,  ///< renders in its zone, and says where it differs from the coarser level
+  masked,     ///< renders in its zone, and is blended by its mask
   coarsest    ///< renders the whole screen
 };
 
@@ -47,18 +48,28 @@ class LevelTargets {
   LevelRole role_ = LevelRole::coarsest;
 };
 
-/// What limits and underlies a level that does not render the whole screen.
+/// What says that a level renders somewhere.
+enum class ZoneRule {
+  mask,               ///< its blurred mask
+  edges,              ///< its edges
+  edgesOrBends,       ///< its edges, and where the coarser level, the coarsest, bends
+  edgesOrDifference,  ///< its edges, and where the coarser level differed from what is coarser still
+  difference          ///< the last alone
+};
+
+/// What a level that does not render the whole screen is made from.
 struct ZoneInputs {
-  const gl::Texture2D* mask = nullptr;     ///< of this level
+  ZoneRule rule = ZoneRule::edges;
+  int channels = 1;                        ///< of the effect
+  const gl::Texture2D* mask = nullptr;     ///< of this level: blurred, or edges
   const gl::Texture2D* coarser = nullptr;  ///< the picture down to the coarser level
-  const gl::Texture2D* refine = nullptr;   ///< where the coarser level saw a difference; null: it has no say
+  const gl::Texture2D* refine = nullptr;   ///< where the coarser level saw a difference, if it is refinable
 };
 
 /// A level among those that a frame renders; null where there is no coarser one.
 struct LevelNeighbours {
   const PlannedLevel& level;
   const PlannedLevel* coarser = nullptr;
-  bool progressive = false;  ///< whether the zone also ends where the coarser level saw no difference
 };
 
 /// The block of a level.

@@ -54,10 +54,9 @@ MaskPass::MaskPass(const gl::ShaderLibrary& library)
       blurProgram_(makePassProgram(library, "mres/mask_blur.frag", "#define JOIN_FINER 0\n")),
       blurJoinProgram_(makePassProgram(library, "mres/mask_blur.frag", "#define JOIN_FINER 1\n")) {}
 
-void MaskPass::draw(PassContext& context, const MaskSources& sources, const LevelPlan& plan) {
+void MaskPass::drawEdges(PassContext& context, const MaskSources& sources, const LevelPlan& plan) {
   const gl::Scope scope(context.profiler, "mres.masks");
   const gl::Texture2D* source = sources.edges;
-  const Level* finer = nullptr;
   int index = 0;
   for (std::size_t planned = 0; planned + 1 < plan.levels.size(); ++planned) {
     const PlannedLevel& level = plan.levels[planned];
@@ -65,10 +64,19 @@ void MaskPass::draw(PassContext& context, const MaskSources& sources, const Leve
       const gl::Texture2D* joined = sources.joined.at(slot(index + 1));
       source = &edgesOf(context, index + 1, *source, joined, plan.levels.front().size);
     }
+    edges_.at(slot(level.index)) = source;
+  }
+}
+
+void MaskPass::drawBlurred(PassContext& context, const LevelPlan& plan) {
+  const gl::Scope scope(context.profiler, "mres.masks");
+  const Level* finer = nullptr;
+  for (std::size_t planned = 0; planned + 1 < plan.levels.size(); ++planned) {
+    const PlannedLevel& level = plan.levels[planned];
     Level& masked = levels_.at(slot(level.index));
     setKernel(masked, level.settings.maskVariance,
               planned == 0 ? 0 : 1 << (level.index - plan.levels[planned - 1].index));
-    blur(context, *source, masked, finer);
+    blur(context, edges(level.index), masked, finer);
     finer = &masked;
   }
 }

@@ -24,18 +24,22 @@ struct MaskSources {
   std::array<const gl::Texture2D*, kMaxLevels - 1> joined{};
 };
 
-/// Turns the edge image into one mask per level: down-sampled, then blurred by the level's variance. The mask
-/// of level i has the resolution of level i + 1 (a texel is a 2x2 quad of the level's pixels), is GL_R8, and
-/// is above zero wherever the mask of a finer level is.
+/// Turns the edge image into one mask per level: down-sampled and, for the paper's technique, blurred by the
+/// level's variance. The mask of level i has the resolution of level i + 1 (a texel is a 2x2 quad of the
+/// level's pixels), and is above zero wherever the mask of a finer level is.
 class MaskPass {
  public:
   explicit MaskPass(const gl::ShaderLibrary& library);
 
-  /// The plan's last level needs no mask.
-  void draw(PassContext& context, const MaskSources& sources, const LevelPlan& plan);
+  /// Down-samples the edges for all levels of the plan but the last, which needs no mask.
+  void drawEdges(PassContext& context, const MaskSources& sources, const LevelPlan& plan);
+  /// After drawEdges(): blurs them.
+  void drawBlurred(PassContext& context, const LevelPlan& plan);
 
-  /// The mask of a level that draw() was given.
-  [[nodiscard]] const gl::Texture2D& mask(int level) const { return levels_.at(slot(level)).mask.color(); }
+  /// Of a level that drawEdges() was given: GL_R8 or, of the finest, the source.
+  [[nodiscard]] const gl::Texture2D& edges(int level) const { return *edges_.at(slot(level)); }
+  /// Of a level that drawBlurred() was given: GL_R8.
+  [[nodiscard]] const gl::Texture2D& blurred(int level) const { return levels_.at(slot(level)).mask.color(); }
   void fill(float value) const;
   [[nodiscard]] std::size_t bytes() const;
 
@@ -60,6 +64,7 @@ class MaskPass {
   gl::Program blurProgram_;
   gl::Program blurJoinProgram_;
   std::array<Level, kMaxLevels - 1> levels_;
+  std::array<const gl::Texture2D*, kMaxLevels - 1> edges_{};  // of this frame
 };
 
 }  // namespace mres

@@ -12,8 +12,8 @@ namespace mres {
 inline constexpr GLint kZone = 1;
 
 /// Finds where each level renders, in blocks of ZONE_BLOCK x ZONE_BLOCK of its pixels: where its mask is
-/// above zero (section 4.1 of the paper) and, where the coarser level has a say, refining makes a difference
-/// (the progressive decomposition of section 6).
+/// above zero (section 4.1 of the paper), or where its edges and the coarser level say that it makes a
+/// difference (the progressive decomposition of section 6).
 class ZonePass {
  public:
   explicit ZonePass(const gl::ShaderLibrary& library);
@@ -29,8 +29,14 @@ class ZonePass {
  private:
   static std::size_t slot(int level) { return static_cast<std::size_t>(level); }
 
-  gl::Program byMask_;
-  gl::Program byMaskAndRefinement_;
+  [[nodiscard]] const gl::Program& programOf(const ZoneInputs& inputs) const;
+
+  gl::Program mask_;
+  gl::Program edges_;
+  gl::Program edgesOrBends_;
+  gl::Program edgesOrBendsOfRadiance_;
+  gl::Program edgesOrDifference_;
+  gl::Program difference_;
   std::array<gl::RenderTarget, kMaxLevels - 1> zones_;
 };
 

@@ -42,7 +42,8 @@ MaskSources maskSources(const PlannedFrame& planned, const EdgeImages& edges, co
 
 EdgeImages drawMasks(const PlannedFrame& planned, const Frame& frame, const params::FrameParams& params) {
   const EdgeImages edges = drawEdges(planned, params);
-  planned.shared.masks.draw(planned.context, maskSources(planned, edges, frame), planned.plan);
+  planned.shared.masks.drawEdges(planned.context, maskSources(planned, edges, frame), planned.plan);
+  if (planned.isByMasks()) planned.shared.masks.drawBlurred(planned.context, planned.plan);
   return edges;
 }
 

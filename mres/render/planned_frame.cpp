@@ -5,25 +5,31 @@ namespace mres {
 LevelRole PlannedFrame::roleOf(std::size_t planned) const {
   if (isDisjoint()) return LevelRole::zoned;
   if (isCoarsest(planned)) return LevelRole::coarsest;
-  return planned == 1 ? LevelRole::refinable : LevelRole::zoned;
+  if (isByMasks()) return LevelRole::masked;
+  return planned > 0 && settings.mask.refineThreshold > 0.0f ? LevelRole::refinable : LevelRole::zoned;
 }
 
-bool PlannedFrame::isProgressive(std::size_t planned) const {
-  return settings.mask.refineThreshold > 0.0f && planned == 0 && !isCoarsest(planned) &&
-         roleOf(1) == LevelRole::refinable;
+ZoneRule PlannedFrame::zoneRuleOf(std::size_t planned) const {
+  if (isByMasks()) return ZoneRule::mask;
+  if (isDisjoint() || settings.mask.refineThreshold == 0.0f) return ZoneRule::edges;
+  if (roleOf(planned + 1) == LevelRole::coarsest) return ZoneRule::edgesOrBends;
+  return planned == 0 ? ZoneRule::difference : ZoneRule::edgesOrDifference;
 }
 
 ZoneInputs PlannedFrame::zoneInputs(std::size_t planned) const {
   const LevelTargets& coarser = targets(planned + 1);
-  return {.mask = &shared.masks.mask(level(planned).index),
+  const int index = level(planned).index;
+  return {.rule = zoneRuleOf(planned),
+          .channels = passes.effect.effect().channels,
+          .mask = isByMasks() ? &shared.masks.blurred(index) : &shared.masks.edges(index),
           .coarser = &coarser.composed().color(0),
-          .refine = isProgressive(planned) ? &coarser.composed().color(1) : nullptr};
+          .refine = coarser.role() == LevelRole::refinable ? &coarser.composed().color(1) : nullptr};
 }
 
 void PlannedFrame::prepareLevels() const {
   const glm::ivec2 fullSize = level(0).size;
   for (std::size_t i = 0; i < plan.levels.size(); ++i) {
-    const LevelNeighbours neighbours{level(i), isCoarsest(i) ? nullptr : &level(i + 1), isProgressive(i)};
+    const LevelNeighbours neighbours{level(i), isCoarsest(i) ? nullptr : &level(i + 1)};
     targets(i).ensure(passes.effect.effect(), level(i).size, roleOf(i));
     targets(i).params().upload(levelParams(neighbours, fullSize, settings.mask.refineThreshold));
   }

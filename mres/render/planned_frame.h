@@ -18,9 +18,10 @@ struct PlannedFrame {
   [[nodiscard]] bool isCoarsest(std::size_t planned) const { return planned + 1 == plan.levels.size(); }
   [[nodiscard]] bool hasMasks() const { return plan.levels.size() > 1; }
   [[nodiscard]] bool isDisjoint() const { return settings.mask.disjoint && hasMasks(); }
+  /// Whether blurred masks say where levels render, as the paper has it.
+  [[nodiscard]] bool isByMasks() const { return settings.technique == Technique::paper; }
   [[nodiscard]] LevelRole roleOf(std::size_t planned) const;
-  /// Whether the coarser level has a say in where a level renders.
-  [[nodiscard]] bool isProgressive(std::size_t planned) const;
+  [[nodiscard]] ZoneRule zoneRuleOf(std::size_t planned) const;
   [[nodiscard]] ZoneInputs zoneInputs(std::size_t planned) const;
 
   /// Makes the targets and uploads the blocks of all levels.

@@ -4,16 +4,13 @@
 #include "mres/filter_depth.glsl"
 #include "mres/frame.glsl"
 #include "mres/level.glsl"
+#include "mres/value.glsl"
 
 uniform sampler2D levelTexture;  // value, then filter depth
 
 #if EFFECT_CHANNELS == 1
-#define Value float
-#define VALUE(texel) texel.r
 #define FILTER_DEPTH(texel) texel.g
 #else
-#define Value vec3
-#define VALUE(texel) texel.rgb
 #define FILTER_DEPTH(texel) texel.a
 #endif
 

@@ -13,13 +13,13 @@ UNIFORM_BLOCK(LevelParams) {
     vec2 coarserFromPixel; // texture coordinate in the coarser level per full-resolution pixel
     vec2 maskFromPixel;    // texture coordinate in the mask per full-resolution pixel
     float blendWeight;     // w_i of equation 1, [1, 1000]
-    float refineThreshold; // difference to the coarser level above which the full level may render
+    float refineThreshold; // difference that is worth rendering a finer level for
     vec2 zoneFromPixel;    // texture coordinate in the zone per pixel of this level
     vec4 lastInterval;     // the last texel of the coarser level stands nearer: beyond pixel .xy, pixels count .zw more
-    float zoneFade;        // weight lost per share of blocks outside of the zone in a bilinear sample of it; 0: none
     int noisePeriod;       // pixels of this level after which what is random repeats, 1..4
     float levelPadding0;
     float levelPadding1;
+    float levelPadding2;
 };
 
 END_PARAMS

@@ -46,7 +46,7 @@ TEST_F(Command, InfoAsJson) {
   EXPECT_GT(info["machine"]["cores"], 0);
   EXPECT_FALSE(info["machine"]["renderer"].get<std::string>().empty());
   EXPECT_EQ(info["scenes"], json({"office", "hall", "breakfast"}));
-  EXPECT_EQ(info["techniques"], json({"full", "mres"}));
+  EXPECT_EQ(info["techniques"], json({"full", "mres-paper", "mres"}));
   EXPECT_EQ(info["effects"], json({"ssao", "ssm", "ssgi"}));
   EXPECT_GE(info["limits"]["texture_size"], 1024);
 }

@@ -66,6 +66,7 @@ class Coverage : public GlTest {
   /// Coverage of an effect that is rendered alone.
   std::vector<double> measured(Effect& effect) {
     MultiResolution multiResolution({.measureCoverage = true});
+    refineByMasks(multiResolution);
     multiResolution.render(effect, gbuffer_.frame());
     glFinish();
     multiResolution.render(effect, gbuffer_.frame());
@@ -89,6 +90,7 @@ TEST_F(Coverage, IsEachEffectsOwn) {
   const std::vector<double> wideAlone = measured(wide);
   ASSERT_LT(narrowAlone[2], wideAlone[2]);
   MultiResolution multiResolution({.measureCoverage = true});
+  refineByMasks(multiResolution);
   const SlowQueries driver;
   for (int frame = 0; frame < 8; ++frame) {
     multiResolution.render(narrow, gbuffer_.frame());
@@ -104,6 +106,7 @@ TEST_F(Coverage, IsKnownInTheEndWhereResultsTakeSeveralFrames) {
   TestEffect effect = effectOf("test", 1.0f);
   const std::vector<double> expected = measured(effect);
   MultiResolution multiResolution({.measureCoverage = true});
+  refineByMasks(multiResolution);
   const SlowQueries driver;
   for (int frame = 0; frame < 8; ++frame) {
     multiResolution.render(effect, gbuffer_.frame());
@@ -118,6 +121,7 @@ TEST_F(Coverage, OfAResultThatComesLateIsThatOfItsOwnSize) {
   const glm::ivec2 otherSize(96, 72);
   const SyntheticGBuffer other(otherSize, perspective(otherSize), room());
   MultiResolution multiResolution({.measureCoverage = true});
+  refineByMasks(multiResolution);
   const SlowQueries driver;
   multiResolution.render(effect, gbuffer_.frame());
   SlowQueries::nextFrame();

@@ -116,10 +116,8 @@ TEST_F(Disjoint, IsCloseToTheNaivePictureAndLeavesTheOtherModesAlone) {
   Ssao ssao({.samples = 32});
   const Picture disjoint = renderPicture(multiResolution_, ssao, gbuffer.frame());
   multiResolution_.settings().mask.disjoint = false;
-  refineAtEveryEdge(multiResolution_);
   const Picture inclusive = renderPicture(multiResolution_, ssao, gbuffer.frame());
   MultiResolution fresh;
-  refineAtEveryEdge(fresh);
   EXPECT_EQ(renderPicture(fresh, ssao, gbuffer.frame()), inclusive) << "after a disjoint frame";
   multiResolution_.settings().mask.disjoint = true;
   EXPECT_EQ(renderPicture(multiResolution_, ssao, gbuffer.frame()), disjoint);

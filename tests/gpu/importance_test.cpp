@@ -58,7 +58,7 @@ TEST_F(GlTest, ImportanceIsSampledBilinearlyOverTheScreenAndCombinedWithTheEdges
 
 class Importance : public GlTest {
  protected:
-  Importance() { refineAtEveryEdge(multiResolution_); }
+  Importance() { refineByMasks(multiResolution_); }
 
   Image picture(Effect& effect, const SyntheticGBuffer& gbuffer, const gl::Texture2D& importance) {
     Frame frame = gbuffer.frame();

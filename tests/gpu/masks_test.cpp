@@ -179,7 +179,7 @@ TEST_F(Zones, PixelsFarFromEdgesShowTheCoarsestLevelAndEdgesTheFinest) {
       nearest({plane({0.0, 0.0, 1.0}, -6.0), box({-0.2, -0.2, -5.0}, {0.2, 0.2, -4.0})}));
   for (const unsigned levels : {0b1111u, 0b1101u, 0b1011u, 0b0011u, 0b1001u}) {
     MultiResolution multiResolution;
-    refineAtEveryEdge(multiResolution);
+    refineByMasks(multiResolution);
     TestEffect effect(levelNumbers(levelSubset(levels)));
     const Image picture{size, 1, renderPicture(multiResolution, effect, gbuffer.frame())};
     const float coarsest = (levels & 8u) != 0 ? 0.75f : 0.25f;

@@ -172,11 +172,12 @@ TEST_F(MinMax, MasksContainThoseOfFinerLevels) {
           sources.joined.at(static_cast<std::size_t>(level)) = &pass_.edges(level);
         }
       }
-      masks.draw(context_, sources, plan);
+      masks.drawEdges(context_, sources, plan);
+      masks.drawBlurred(context_, plan);
       for (std::size_t i = 0; i + 2 < plan.levels.size(); ++i) {
         const int ratio = 1 << (plan.levels[i + 1].index - plan.levels[i].index);
-        const Image finer = readImage(masks.mask(plan.levels[i].index), 1);
-        const Image coarser = readImage(masks.mask(plan.levels[i + 1].index), 1);
+        const Image finer = readImage(masks.blurred(plan.levels[i].index), 1);
+        const Image coarser = readImage(masks.blurred(plan.levels[i + 1].index), 1);
         ASSERT_GT(count(coarser), 0);
         for (int t = 0; t < finer.size.x * finer.size.y; ++t) {
           const glm::ivec2 texel(t % finer.size.x, t / finer.size.x);
@@ -190,7 +191,7 @@ TEST_F(MinMax, MasksContainThoseOfFinerLevels) {
 class MinMaxPictures : public GlTest {
  protected:
   MinMaxPictures() {
-    refineAtEveryEdge(multiResolution_);
+    refineByMasks(multiResolution_);
     multiResolution_.settings().mask.minMaxMips = true;
   }
   Picture picture(Effect& effect, const RayCaster& scene, const gl::Texture2D* importance = nullptr) {

@@ -1,5 +1,7 @@
 #include "tests/gpu/multi_resolution_support.h"
 
+#include <utility>
+
 #include "tests/support/test_effect.h"
 
 namespace mres::test {
@@ -9,9 +11,9 @@ SsaoSettings ssaoWith(unsigned levels, int samples) {
 }
 
 Picture MultiResolutionTest::full(Effect& effect, const Frame& frame) {
-  multiResolution_.settings().technique = Technique::full;
+  const Technique technique = std::exchange(multiResolution_.settings().technique, Technique::full);
   Picture picture = renderPicture(multiResolution_, effect, frame);
-  multiResolution_.settings().technique = Technique::multiResolution;
+  multiResolution_.settings().technique = technique;
   return picture;
 }
 

@@ -21,7 +21,7 @@ TEST_F(MultiResolutionTest, EdgesEverywhereGiveTheNaivePictureBitForBit) {
   for (const glm::ivec2 size : {glm::ivec2(96, 64), glm::ivec2(71, 53)}) {
     const SyntheticGBuffer gbuffer(size, perspective(size), withRandomNormals(room()));
     Ssao ssao(ssaoWith(15));
-    refineAtEveryEdge(multiResolution_);
+    refineByMasks(multiResolution_);
     EXPECT_EQ(mixed(ssao, gbuffer.frame()), full(ssao, gbuffer.frame()));
   }
 }
@@ -99,7 +99,7 @@ TEST_F(MultiResolutionTest, AnEffectsOwnTextureStaysBoundForEveryLevel) {
   const glm::ivec2 size(95, 63);
   const SyntheticGBuffer gbuffer(size, perspective(size), room());
   TexturedEffect effect;
-  refineAtEveryEdge(multiResolution_);
+  refineByMasks(multiResolution_);
   for (unsigned levels = 1; levels < 16; levels += 2) {
     effect.setLevels(levelSubset(levels));
     EXPECT_THAT(mixed(effect, gbuffer.frame()), testing::Each(0.625f)) << levels;

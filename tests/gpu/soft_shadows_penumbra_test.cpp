@@ -63,11 +63,11 @@ std::vector<LitScene> scenesWithPenumbras() {
 
 class Penumbra : public SoftShadowsTest {
  protected:
-  Penumbra() { refineAtEveryEdge(multiResolution_); }
+  Penumbra() { refineByMasks(multiResolution_); }
 
   /// Which of the levels' colours each pixel has.
   Image levelsOf(Effect& effect, const Frame& frame) {
-    multiResolution_.settings().technique = Technique::multiResolution;
+    multiResolution_.settings().technique = Technique::paper;
     static_cast<void>(renderPicture(multiResolution_, effect, frame));
     return {frame.size, 3, readPixels(multiResolution_.debugView(DebugView::levels), frame.size, 3)};
   }

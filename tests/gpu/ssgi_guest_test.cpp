@@ -39,7 +39,7 @@ TEST_F(SsgiTest, EdgesEverywhereGiveTheNaivePictureBitForBit) {
     const SyntheticGBuffer gbuffer(size, perspective(size), withRandomNormals(room()));
     const LitPicture lit = uniformPicture(size, {1.0f, 0.5f, 0.25f});
     const SsgiInputs inputs{.radiance = lit.texture.id(), .environmentAbove = kWhite};
-    refineAtEveryEdge(multiResolution_);
+    refineByMasks(multiResolution_);
     const Image mixed = render(gbuffer, {.samples = 8}, inputs, Technique::multiResolution);
     EXPECT_EQ(multiResolution_.report().levels.size(), 4u);
     EXPECT_EQ(mixed.texels, render(gbuffer, {.samples = 8}, inputs).texels);

@@ -54,10 +54,11 @@ Image MaskBench::edges(const Frame& frame, const MaskSettings& settings) {
 }
 
 std::vector<Image> MaskBench::masks(const gl::Texture2D& edges, const LevelPlan& plan) {
-  maskPass_.draw(context_, {.edges = &edges}, plan);
+  maskPass_.drawEdges(context_, {.edges = &edges}, plan);
+  maskPass_.drawBlurred(context_, plan);
   std::vector<Image> images;
   for (std::size_t i = 0; i + 1 < plan.levels.size(); ++i) {
-    images.push_back(readImage(maskPass_.mask(plan.levels[i].index), 1));
+    images.push_back(readImage(maskPass_.blurred(plan.levels[i].index), 1));
   }
   return images;
 }

@@ -9,8 +9,8 @@
 
 namespace mres::test {
 
-void refineAtEveryEdge(MultiResolution& multiResolution) {
-  multiResolution.settings().mask.refineThreshold = 0.0f;
+void refineByMasks(MultiResolution& multiResolution) {
+  multiResolution.settings().technique = Technique::paper;
 }
 
 Picture renderPicture(MultiResolution& multiResolution, Effect& effect, const Frame& frame) {

@@ -19,8 +19,8 @@ struct Image {
   }
 };
 
-/// Lets edges alone decide what is refined, as the paper does.
-void refineAtEveryEdge(MultiResolution& multiResolution);
+/// Lets blurred masks decide and blend, as the paper does.
+void refineByMasks(MultiResolution& multiResolution);
 
 /// Renders and reads the result, all its channels.
 Picture renderPicture(MultiResolution& multiResolution, Effect& effect, const Frame& frame);
