@@ -22,7 +22,10 @@ struct LevelSettings {
   bool used = true;           ///< The coarsest used level renders the whole screen. Level 0 always is.
   float maskVariance = 0.0f;  ///< sigma^2 in pixels^2 of this level, [0, 64]. Widens the zone around edges.
   float blendWeight = 1.0f;   ///< w_i of equation 1, [1, 1000]. Larger is a harder transition.
-  int noisePeriod = 4;        ///< pixels of this level, [1, 4]: after how many what is random repeats.
+  /// Pixels of this level, [1, 4], after which what is random repeats. The filter reaches that far, at coarse
+  /// levels over more of the screen: a shorter period blurs less. The effects that come with mres have evenly
+  /// spread rotations for 1, 2 and 4.
+  int noisePeriod = 4;
 };
 
 template <class Visitor>

@@ -10,7 +10,6 @@ namespace mres {
 inline constexpr int kMaxSsaoSamples = 256;
 
 /// Table 1 of Besenthal, Maisch and Ropinski 2019, column SSAO.
-/// Coarse levels repeat their noise every two pixels: then less lies between what is averaged.
 inline constexpr LevelTable kSsaoLevels = {
     {{true, 0.924f, 100.0f}, {true, 1.848f, 50.0f, 2}, {true, 3.696f, 20.0f, 2}, {true, 0.0f, 1.0f, 2}}};
 

@@ -70,7 +70,8 @@ Value filterAlong(ivec2 axis, ivec2 levelPixel, vec4 centre) {
         float trust = trustIn(plane, float(pixels.x + pixels.y), viewDepthOfFilter(FILTER_DEPTH(texel)));
         bool rendered = FILTER_DEPTH(texel) > 0.0;
         bool sameKind = isBackgroundFilterDepth(FILTER_DEPTH(texel)) == background;
-        float weight = rendered && sameKind ? (2 * distance == noisePeriod ? 0.5 * share : share) * trust : 0.0;
+        float inPeriod = 2 * distance == noisePeriod ? 0.5 : 1.0;
+        float weight = rendered && sameKind ? inPeriod * share * trust : 0.0;
         // What was not rendered may be anything, even not a number.
         sum += (weight > 0.0 ? VALUE(texel) - value : Value(0.0)) * weight;
         weightSum += weight;

@@ -53,6 +53,7 @@ TEST(LevelPlan, TheTableOfTheIssueIsTheDefault) {
     EXPECT_TRUE(kSsaoLevels.at(i).used);
     EXPECT_EQ(kSsaoLevels.at(i).maskVariance, kVariances.at(i));
     EXPECT_EQ(kSsaoLevels.at(i).blendWeight, kWeights.at(i));
+    EXPECT_EQ(kSsaoLevels.at(i).noisePeriod, i == 0 ? 4 : 2) << "the full level's is the reference's";
   }
 }
 
