@@ -19,9 +19,11 @@ inline constexpr int kMaxLevels = 4;
 
 /// How one resolution level takes part (Table 1 of Besenthal, Maisch and Ropinski 2019).
 struct LevelSettings {
-  bool used = true;           ///< The coarsest used level renders the whole screen. Level 0 always is.
-  float maskVariance = 0.0f;  ///< sigma^2 in pixels^2 of this level, [0, 64]. Widens the zone around edges.
-  float blendWeight = 1.0f;   ///< w_i of equation 1, [1, 1000]. Larger is a harder transition.
+  bool used = true;  ///< The coarsest used level renders the whole screen. Level 0 always is.
+  /// Of Technique::paper: sigma^2 in pixels^2 of this level, [0, 64]. Widens the zone around edges.
+  float maskVariance = 0.0f;
+  /// Of Technique::paper: w_i of equation 1, [1, 1000]. Larger is a harder transition.
+  float blendWeight = 1.0f;
   /// Pixels of this level, [1, 4], after which what is random repeats. The filter reaches that far, at coarse
   /// levels over more of the screen: a shorter period blurs less. The effects that come with mres have evenly
   /// spread rotations for 1, 2 and 4.
@@ -32,10 +34,12 @@ template <class Visitor>
 void visit(LevelSettings& settings, Visitor&& visitor) {
   visitor("used", settings.used,
           SettingInfo{"", 0.0, 1.0, "Whether the level takes part; level 0 always does."});
-  visitor("maskVariance", settings.maskVariance,
-          SettingInfo{"pixels^2", 0.0, 64.0, "Widens the level's zone around edges."});
+  visitor(
+      "maskVariance", settings.maskVariance,
+      SettingInfo{"pixels^2", 0.0, 64.0, "By the paper's technique, widens the level's zone around edges."});
   visitor("blendWeight", settings.blendWeight,
-          SettingInfo{"", 1.0, 1000.0, "Larger is a harder transition to the next coarser level."});
+          SettingInfo{"", 1.0, 1000.0,
+                      "By the paper's technique, larger is a harder transition to the next coarser level."});
   visitor("noisePeriod", settings.noisePeriod,
           SettingInfo{"pixels", 1.0, 4.0, "After how many of the level's pixels what is random repeats."});
 }
