@@ -37,12 +37,15 @@ bool bendsAt(ivec2 texel) {
     return max(shownDifference(value, alongX), shownDifference(value, alongY)) > 0.5 * refineThreshold;
 }
 
-// At the texels that pixels of the block are interpolated from, but for the border's, which lack a neighbour.
+// At the texels that pixels of the block are interpolated from, but for the border's, which lack a neighbour. Blocks end at
+// halves of texels at the least: rounding must not take one for the next.
+const float kRounding = 1.0 / 64.0;
+
 bool bends(vec2 low, vec2 high) {
     vec2 texels = vec2(textureSize(coarserTexture, 0));
     ivec2 inside = textureSize(coarserTexture, 0) - 2;
-    ivec2 first = clamp(ivec2(floor(low * texels - 0.5)), ivec2(1), inside);
-    ivec2 last = clamp(ivec2(floor(high * texels - 0.5)) + 1, ivec2(1), inside);
+    ivec2 first = clamp(ivec2(floor(low * texels - 0.5 + kRounding)), ivec2(1), inside);
+    ivec2 last = clamp(ivec2(floor(high * texels - 0.5 + kRounding)) + 1, ivec2(1), inside);
     for (int y = first.y; y <= last.y; ++y) {
         for (int x = first.x; x <= last.x; ++x) {
             if (bendsAt(ivec2(x, y))) return true;

@@ -79,7 +79,7 @@ TEST_F(BadInput, UnknownNamesSuggestNearOnes) {
   EXPECT_THAT(failureOf({"hall"}, 2),
               HasSubstr("no command 'hall'; use one of info, render, compare, bench"));
   EXPECT_THAT(compareFailure({"--effect", "sao"}, 2), HasSubstr("did you mean ssao?"));
-  EXPECT_THAT(compareFailure({"--technique", "ful"}, 2), HasSubstr("did you mean full?"));
+  EXPECT_THAT(compareFailure({"--technique", "mre"}, 2), HasSubstr("did you mean mres or mres-paper?"));
   EXPECT_THAT(compareFailure({"--set", "radios=1"}, 2), HasSubstr("did you mean radius?"));
   EXPECT_THAT(failureOf({"bench", "--suite", "quik", "-o", output_ / "bench"}, 2),
               HasSubstr("did you mean quick?"));
