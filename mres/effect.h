@@ -26,7 +26,8 @@ struct LevelSettings {
   float blendWeight = 1.0f;
   /// Pixels of this level, [1, 4], after which what is random repeats. The filter reaches that far, at coarse
   /// levels over more of the screen: a shorter period blurs less. The effects that come with mres have evenly
-  /// spread rotations for 1, 2 and 4.
+  /// spread rotations for 1, 2 and 4. Coarse levels of even periods also take turns in which of the four
+  /// pixels around a block's centre Surface::pixel is.
   int noisePeriod = 4;
 };
 

@@ -3,15 +3,25 @@
 namespace mres {
 namespace {
 
+/// Jitter needs a filter that takes the mean over it: one whose period is even.
+bool isJittered(const PlannedLevel& level, bool filtered) {
+  return filtered && level.index > 0 && level.settings.noisePeriod % 2 == 0;
+}
+
+/// By how much jitter moves the mean, from the pixel up and right of a block's centre to the centre.
+float jitterShift(const PlannedLevel& level, bool filtered) {
+  return isJittered(level, filtered) ? 0.5f : 0.0f;
+}
+
 /// Where a size is no multiple of the stride, the coarser level's last pixel is evaluated at the last pixel
 /// of the screen, nearer to its neighbour than the others are: how pixels in between count
 /// (LevelParams::lastInterval).
-glm::vec4 lastInterval(const PlannedLevel& coarser, glm::ivec2 fullSize) {
+glm::vec4 lastInterval(const PlannedLevel& coarser, float shift, glm::ivec2 fullSize) {
   const int stride = 1 << coarser.index;
-  const glm::ivec2 beforeLast = (coarser.size - 2) * stride + stride / 2;
-  const glm::ivec2 length = glm::min(glm::ivec2(stride), fullSize - 1 - beforeLast);
-  const glm::vec2 more = static_cast<float>(stride) / glm::vec2(glm::max(length, glm::ivec2(1))) - 1.0f;
-  return {glm::vec2(beforeLast), more};
+  const auto regular = static_cast<float>(stride);
+  const glm::vec2 beforeLast = glm::vec2((coarser.size - 2) * stride + stride / 2) - shift;
+  const glm::vec2 length = glm::min(glm::vec2(regular), glm::vec2(fullSize - 1) - beforeLast);
+  return {beforeLast, regular / length - 1.0f};
 }
 
 }  // namespace
@@ -53,12 +63,14 @@ params::LevelParams levelParams(const LevelNeighbours& level, glm::ivec2 fullSiz
   params.levelSize = level.level.size;
   params.levelStride = stride;
   params.levelHalfStride = stride / 2;
+  params.levelJitter = isJittered(level.level, level.filtered) ? 1 : 0;
   if (level.coarser != nullptr) {
-    // Texel p of the coarser level sits at full-resolution pixel p * stride + stride / 2, so pixel x lies at
-    // texel (x - stride / 2) / stride; texel centres are half a texel on, which cancels.
+    // Texel p of the coarser level sits at full-resolution pixel p * stride + stride / 2 - shift, so pixel x
+    // lies at texel (x - stride / 2 + shift) / stride; texel centres are half a texel on, which cancels.
     const PlannedLevel& coarser = *level.coarser;
     params.coarserFromPixel = 1.0f / (static_cast<float>(1 << coarser.index) * glm::vec2(coarser.size));
-    params.lastInterval = lastInterval(coarser, fullSize);
+    params.coarserShift = jitterShift(coarser, level.filtered);
+    params.lastInterval = lastInterval(coarser, params.coarserShift, fullSize);
   }
   params.maskFromPixel =
       1.0f / (static_cast<float>(2 * stride) * glm::vec2(levelSize(fullSize, level.level.index + 1)));

@@ -66,10 +66,11 @@ struct ZoneInputs {
   const gl::Texture2D* refine = nullptr;   ///< where the coarser level saw a difference, if it is refinable
 };
 
-/// A level among those that a frame renders; null where there is no coarser one.
+/// A level among those that a frame renders.
 struct LevelNeighbours {
   const PlannedLevel& level;
-  const PlannedLevel* coarser = nullptr;
+  const PlannedLevel* coarser = nullptr;  ///< null: there is none
+  bool filtered = true;                   ///< EffectDescription::filtered
 };
 
 /// The block of a level.

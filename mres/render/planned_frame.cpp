@@ -29,7 +29,8 @@ ZoneInputs PlannedFrame::zoneInputs(std::size_t planned) const {
 void PlannedFrame::prepareLevels() const {
   const glm::ivec2 fullSize = level(0).size;
   for (std::size_t i = 0; i < plan.levels.size(); ++i) {
-    const LevelNeighbours neighbours{level(i), isCoarsest(i) ? nullptr : &level(i + 1)};
+    const LevelNeighbours neighbours{level(i), isCoarsest(i) ? nullptr : &level(i + 1),
+                                     passes.effect.effect().filtered};
     targets(i).ensure(passes.effect.effect(), level(i).size, roleOf(i));
     targets(i).params().upload(levelParams(neighbours, fullSize, settings.mask.refineThreshold));
   }

@@ -24,13 +24,13 @@ void main() {
     Value value = VALUE(texel);
 #endif
 #if !COARSEST
-    ivec2 fullPixel = representativePixel(levelPixel, size);
+    vec2 place = placeOf(levelPixel, size);
 #if MASKED
-    float alpha = min(texture(maskTexture, maskCoordinate(fullPixel)).r * blendWeight, 1.0);
+    float alpha = min(texture(maskTexture, maskCoordinate(place)).r * blendWeight, 1.0);
 #else
     float alpha = texture(zoneTexture, zoneCoordinate(levelPixel)).r;
 #endif
-    Value coarser = VALUE(texture(coarserTexture, coarserCoordinate(fullPixel)));
+    Value coarser = VALUE(texture(coarserTexture, coarserCoordinate(place)));
 #if REFINABLE
     refine = shownDifference(value, coarser) > refineThreshold ? 1.0 : 0.0;
 #endif

@@ -15,7 +15,7 @@ float depthAt(ivec2 pixel) {
 
 // As it is encoded: differences of it are differences of normals but for a factor.
 vec3 normalAt(ivec2 pixel) {
-    return texelFetch(normalTexture, min(pixel, size - 1), 0).xyz;
+    return texelFetch(normalTexture, clamp(pixel, ivec2(0), size - 1), 0).xyz;
 }
 
 float secondDifference(float before, float here, float after) {
@@ -59,7 +59,9 @@ bool hasNormalEdge(ivec2 corner) {
     vec3 n11 = normalAt(corner + ivec2(1, 1));
     return isNormalEdge(n00, n10) || isNormalEdge(n01, n11) || isNormalEdge(n00, n01) || isNormalEdge(n10, n11) ||
            isNormalEdge(n10, normalAt(corner + ivec2(2, 0))) || isNormalEdge(n11, normalAt(corner + ivec2(2, 1))) ||
-           isNormalEdge(n01, normalAt(corner + ivec2(0, 2))) || isNormalEdge(n11, normalAt(corner + ivec2(1, 2)));
+           isNormalEdge(n01, normalAt(corner + ivec2(0, 2))) || isNormalEdge(n11, normalAt(corner + ivec2(1, 2))) ||
+           isNormalEdge(n00, normalAt(corner + ivec2(-1, 0))) || isNormalEdge(n01, normalAt(corner + ivec2(-1, 1))) ||
+           isNormalEdge(n00, normalAt(corner + ivec2(0, -1))) || isNormalEdge(n10, normalAt(corner + ivec2(1, -1)));
 }
 
 void main() {

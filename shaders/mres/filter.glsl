@@ -14,32 +14,34 @@ uniform sampler2D levelTexture;  // value, then filter depth
 #define FILTER_DEPTH(texel) texel.a
 #endif
 
-// A pixel's tangent plane, met along an axis of the screen. How far the point of another pixel on that axis lies along
-// the plane's normal is linear in the pixel and in the point's depth: depth * (scaled + pixels * scaledStep) + constant +
-// pixels * constantStep.
-struct PlaneAlong {
-    float scaled, scaledStep;
-    float constant, constantStep;  // zero for perspective cameras
-    float offset;                  // of the plane itself
+// A pixel's tangent plane. How far the point of another pixel lies along the plane's normal is linear in the pixel and in
+// the point's depth: depth * (scaled + dot(pixels, scaledStep)) + constant + dot(pixels, constantStep).
+struct TangentPlane {
+    float scaled;
+    vec2 scaledStep;
+    float constant;     // zero for perspective cameras, as is the next
+    vec2 constantStep;
+    float offset;       // of the plane itself
     float inverseTolerance;
 };
 
-PlaneAlong tangentPlane(ivec2 axis, ivec2 fullPixel, float viewDepth) {
+TangentPlane tangentPlane(ivec2 fullPixel, float viewDepth) {
     vec3 normal = viewNormal(fullPixel);
     vec2 pixel = vec2(fullPixel) + 0.5;
-    PlaneAlong plane;
+    TangentPlane plane;
     plane.scaled = dot(normal.xy, pixel * unprojectScaled.xy + unprojectScaled.zw) - normal.z;
-    plane.scaledStep = dot(normal.xy * vec2(axis), unprojectScaled.xy);
+    plane.scaledStep = normal.xy * unprojectScaled.xy;
     plane.constant = dot(normal.xy, pixel * unprojectConstant.xy + unprojectConstant.zw);
-    plane.constantStep = dot(normal.xy * vec2(axis), unprojectConstant.xy);
+    plane.constantStep = normal.xy * unprojectConstant.xy;
     plane.offset = viewDepth * plane.scaled + plane.constant;
     plane.inverseTolerance = 1.0 / filterToleranceAt(viewDepth);
     return plane;
 }
 
 // 0..1: whole up to the tolerance, none from twice the tolerance on, nor where there is no plane (NaN).
-float trustIn(PlaneAlong plane, float pixels, float viewDepth) {
-    float along = viewDepth * (plane.scaled + pixels * plane.scaledStep) + (plane.constant + pixels * plane.constantStep);
+float trustIn(TangentPlane plane, vec2 pixels, float viewDepth) {
+    float along = viewDepth * (plane.scaled + dot(pixels, plane.scaledStep)) +
+                  (plane.constant + dot(pixels, plane.constantStep));
     float tolerances = abs(along - plane.offset) * plane.inverseTolerance;
     return tolerances < 2.0 ? min(2.0 - tolerances, 1.0) : 0.0;
 }
@@ -56,7 +58,7 @@ ivec2 tapInside(ivec2 levelPixel) {
 Value filterAlong(ivec2 axis, ivec2 levelPixel, vec4 centre) {
     float share = 1.0 / float(noisePeriod);
     ivec2 fullPixel = representativePixel(levelPixel, size);
-    PlaneAlong plane = tangentPlane(axis, fullPixel, viewDepthOfFilter(FILTER_DEPTH(centre)));
+    TangentPlane plane = tangentPlane(fullPixel, viewDepthOfFilter(FILTER_DEPTH(centre)));
     bool background = isBackgroundFilterDepth(FILTER_DEPTH(centre));
     Value value = VALUE(centre);
     Value sum = Value(0.0);
@@ -66,8 +68,8 @@ Value filterAlong(ivec2 axis, ivec2 levelPixel, vec4 centre) {
         int distance = 1 + (i >> 1);
         ivec2 tap = tapInside(levelPixel + axis * ((i & 1) == 0 ? distance : -distance));
         vec4 texel = texelFetch(levelTexture, tap, 0);
-        ivec2 pixels = representativePixel(tap, size) - fullPixel;
-        float trust = trustIn(plane, float(pixels.x + pixels.y), viewDepthOfFilter(FILTER_DEPTH(texel)));
+        vec2 pixels = vec2(representativePixel(tap, size) - fullPixel);
+        float trust = trustIn(plane, pixels, viewDepthOfFilter(FILTER_DEPTH(texel)));
         bool rendered = FILTER_DEPTH(texel) > 0.0;
         bool sameKind = isBackgroundFilterDepth(FILTER_DEPTH(texel)) == background;
         float inPeriod = 2 * distance == noisePeriod ? 0.5 : 1.0;

@@ -17,9 +17,9 @@ UNIFORM_BLOCK(LevelParams) {
     vec2 zoneFromPixel;    // texture coordinate in the zone per pixel of this level
     vec4 lastInterval;     // the last texel of the coarser level stands nearer: beyond pixel .xy, pixels count .zw more
     int noisePeriod;       // pixels of this level after which what is random repeats, 1..4
-    float levelPadding0;
-    float levelPadding1;
-    float levelPadding2;
+    int levelJitter;       // 1: pixels are evaluated by turns at the four around their block's centre; 0: all at one of them
+    float coarserShift;    // full-resolution pixels by which values of the coarser level lie nearer for its jitter
+    float levelPadding;
 };
 
 END_PARAMS

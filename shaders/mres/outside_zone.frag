@@ -20,12 +20,12 @@ uniform int coarserStride;
 
 // Bilinear, as far as there is a picture. There is one in the coarser pixel that a pixel outside of the zone lies in, which
 // is always one of the four and has weight. Sums differences to it, so that equal values stay what they are.
-vec4 coarserPicture(ivec2 fullPixel) {
+vec4 coarserPicture(vec2 place) {
     ivec2 last = textureSize(coarserTexture, 0) - 1;
-    vec2 place = coarserCoordinate(fullPixel) * vec2(last + 1) - 0.5;
-    ivec2 corner = ivec2(floor(place));
-    vec2 share = place - vec2(corner);
-    vec4 around = texelFetch(coarserTexture, fullPixel / coarserStride, 0);
+    vec2 texel = coarserCoordinate(place) * vec2(last + 1) - 0.5;
+    ivec2 corner = ivec2(floor(texel));
+    vec2 share = texel - vec2(corner);
+    vec4 around = texelFetch(coarserTexture, ivec2(place) / coarserStride, 0);
     vec4 sum = vec4(0.0);
     float weightSum = 0.0;
     for (int i = 0; i < 4; ++i) {
@@ -39,15 +39,15 @@ vec4 coarserPicture(ivec2 fullPixel) {
     return around + sum / weightSum;
 }
 #else
-vec4 coarserPicture(ivec2 fullPixel) {
-    return texture(coarserTexture, coarserCoordinate(fullPixel));
+vec4 coarserPicture(vec2 place) {
+    return texture(coarserTexture, coarserCoordinate(place));
 }
 #endif
 
 void main() {
     ivec2 levelPixel = ivec2(gl_FragCoord.xy);
     if (texelFetch(zoneTexture, levelPixel / ZONE_BLOCK, 0).r > 0.0) discard;
-    fragment = coarserPicture(representativePixel(levelPixel, size));
+    fragment = coarserPicture(placeOf(levelPixel, size));
 #if REFINABLE
     refine = 0.0;
 #endif

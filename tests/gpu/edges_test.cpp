@@ -223,6 +223,24 @@ TEST_F(Edges, ACreaseOverTheNormalThresholdIsOne) {
   }
 }
 
+TEST_F(Edges, ACreaseBetweenTwoTexelsIsInBoth) {
+  const glm::ivec2 size(64, 64);
+  for (const bool vertical : {false, true}) {
+    const auto crease = [&](glm::dvec3 origin, glm::dvec3 direction) {
+      const double side = (vertical ? direction.y : direction.x) < 0.0 ? -1.0 : 1.0;
+      return withNormal(facingPlane(3.0), glm::normalize(glm::dvec3(side, 0.0, 1.0)))(origin, direction);
+    };
+    const Image edges = bench_.edges(SyntheticGBuffer(size, perspective(size), crease).frame());
+    for (int i = 0; i < edges.size.x; ++i) {
+      for (const int beside : {15, 16}) {
+        const glm::ivec2 texel = vertical ? glm::ivec2(i, beside) : glm::ivec2(beside, i);
+        EXPECT_GT(edges.at(texel, kNormalChannel), 0.0f) << texel.x << ", " << texel.y;
+      }
+    }
+    EXPECT_EQ(count(edges, kNormalChannel), 2 * edges.size.x);
+  }
+}
+
 TEST_F(Edges, EveryPositionOfAStepIsFound) {
   const glm::ivec2 size(21, 19);
   for (int border = 1; border < size.x; ++border) {

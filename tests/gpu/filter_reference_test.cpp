@@ -49,7 +49,9 @@ class FilterReference {
 
   [[nodiscard]] glm::ivec2 representative(glm::ivec2 pixel) const {
     const int stride = 1 << input_.level.index;
-    return glm::min(pixel * stride + stride / 2, input_.fullSize - 1);
+    const bool jitter = stride > 1 && period() % 2 == 0;
+    const glm::ivec2 turn = jitter ? glm::ivec2(pixel.y % 2, pixel.x % 2) : glm::ivec2(0);
+    return glm::min(pixel * stride + stride / 2 - turn, input_.fullSize - 1);
   }
 
   [[nodiscard]] int period() const { return input_.level.settings.noisePeriod; }

@@ -229,48 +229,83 @@ TEST_F(GlslFunctions, ViewNormalOfEverySpaceAndEncoding) {
   }
 }
 
+std::string inGlsl(glm::ivec2 v) {
+  return "ivec2(" + std::to_string(v.x) + ", " + std::to_string(v.y) + ")";
+}
+
+/// Every pixel of a level, as far as there are numbers of columns for as many rows.
+std::vector<glm::vec4> diagonalOf(glm::ivec2 size) {
+  std::vector<glm::vec4> pixels;
+  for (int i = 0; i < std::max(size.x, size.y); ++i)
+    pixels.emplace_back(glm::min(glm::ivec2(i, i + i / 2 % 2), size - 1), 0, 0);
+  return pixels;
+}
+
 TEST_F(GlslFunctions, LevelPixelsStandForOneFullPixelEach) {
   for (const glm::ivec2 size :
        {glm::ivec2(1), glm::ivec2(31, 17), glm::ivec2(128, 65), glm::ivec2(251, 257)}) {
     for (int index = 0; index < kMaxLevels; ++index) {
       const PlannedLevel level{index, levelSize(size, index), {}};
-      std::vector<glm::vec4> pixels;
-      const int count = std::max(level.size.x, level.size.y);
-      pixels.reserve(static_cast<std::size_t>(count));
-      for (int i = 0; i < count; ++i) {
-        pixels.emplace_back(glm::min(glm::ivec2(i), level.size - 1), 0, 0);
-      }
-      const std::string full = "ivec2(" + std::to_string(size.x) + ", " + std::to_string(size.y) + ")";
-      const auto values = evaluateLevel("vec4(representativePixel(ivec2(a.xy), " + full + "), 0.0, 0.0)",
-                                        pixels, levelParams({level}, size, 0.0f));
-      for (std::size_t i = 0; i < pixels.size(); ++i) {
-        const int stride = 1 << index;
-        const glm::ivec2 expected = glm::min(glm::ivec2(pixels[i]) * stride + stride / 2, size - 1);
-        ASSERT_EQ(glm::ivec2(values[i]), expected) << "level " << index << " of " << size.x << "x" << size.y;
+      const std::vector<glm::vec4> pixels = diagonalOf(level.size);
+      for (const bool filtered : {false, true}) {
+        const auto values =
+            evaluateLevel("vec4(representativePixel(ivec2(a.xy), " + inGlsl(size) + "), 0.0, 0.0)", pixels,
+                          levelParams({level, nullptr, filtered}, size, 0.0f));
+        for (std::size_t i = 0; i < pixels.size(); ++i) {
+          const glm::ivec2 pixel(pixels[i]);
+          const int stride = 1 << index;
+          const glm::ivec2 turn =
+              filtered && index > 0 ? glm::ivec2(pixel.y % 2, pixel.x % 2) : glm::ivec2(0);
+          const glm::ivec2 expected = glm::min(pixel * stride + stride / 2 - turn, size - 1);
+          ASSERT_EQ(glm::ivec2(values[i]), expected)
+              << "level " << index << " of " << size.x << "x" << size.y;
+        }
       }
     }
+  }
+}
+
+TEST_F(GlslFunctions, OddPeriodsHaveNoJitter) {
+  for (int period = 1; period <= 4; ++period) {
+    const PlannedLevel level{2, glm::ivec2(64), {.noisePeriod = period}};
+    EXPECT_EQ(levelParams({level}, glm::ivec2(256), 0.0f).levelJitter, period % 2 == 0 ? 1 : 0) << period;
   }
 }
 
 TEST_F(GlslFunctions, CoarserCoordinatesHitTexelCentresAtTheirPixels) {
   for (const glm::ivec2 size : {glm::ivec2(31, 17), glm::ivec2(128, 65), glm::ivec2(251, 257)}) {
     for (int coarse = 1; coarse < kMaxLevels; ++coarse) {
-      for (int fine = 0; fine < coarse; ++fine) {
+      for (const bool filtered : {false, true}) {
         const PlannedLevel coarser{coarse, levelSize(size, coarse), {}};
-        const PlannedLevel level{fine, levelSize(size, fine), {}};
-        const int texels = std::min(coarser.size.x, coarser.size.y);
-        std::vector<glm::vec4> pixels;
-        for (int texel = 0; texel < texels; ++texel) {
-          const int position = texel * (1 << coarse) + (1 << coarse) / 2;
-          pixels.emplace_back(glm::min(glm::ivec2(position), size - 1), 0, 0);
+        const PlannedLevel level{coarse - 1, levelSize(size, coarse - 1), {}};
+        const std::vector<glm::vec4> texels = diagonalOf(coarser.size);
+        const auto places = evaluateLevel("vec4(placeOf(ivec2(a.xy), " + inGlsl(size) + "), 0.0, 0.0)",
+                                          texels, levelParams({coarser, nullptr, filtered}, size, 0.0f));
+        const auto values = evaluateLevel("vec4(coarserCoordinate(a.xy), 0.0, 0.0)", places,
+                                          levelParams({level, &coarser, filtered}, size, 0.0f));
+        for (std::size_t i = 0; i < texels.size(); ++i) {
+          const glm::dvec2 expected = (glm::dvec2(texels[i]) + 0.5) / glm::dvec2(coarser.size);
+          ASSERT_LT(glm::distance(glm::dvec2(values[i]), expected), 1e-6) << coarse << ", " << i;
         }
-        const auto values = evaluateLevel("vec4(coarserCoordinate(ivec2(a.xy)), 0.0, 0.0)", pixels,
-                                          levelParams({level, &coarser}, size, 0.0f));
-        for (int texel = 0; texel < texels; ++texel) {
-          const glm::dvec2 expected = (texel + 0.5) / glm::dvec2(coarser.size);
-          const glm::dvec2 value(values[static_cast<std::size_t>(texel)]);
-          ASSERT_LT(glm::distance(value, expected), 1e-6) << coarse << " under " << fine << ", " << texel;
-        }
+      }
+    }
+  }
+}
+
+TEST_F(GlslFunctions, PlacesAreBlockCentresWithJitterAndPixelsWithout) {
+  const glm::ivec2 size(251, 258);
+  for (int index = 0; index < kMaxLevels; ++index) {
+    const PlannedLevel level{index, levelSize(size, index), {}};
+    const std::vector<glm::vec4> pixels = diagonalOf(level.size);
+    for (const bool filtered : {false, true}) {
+      const auto params = levelParams({level, nullptr, filtered}, size, 0.0f);
+      const auto places =
+          evaluateLevel("vec4(placeOf(ivec2(a.xy), " + inGlsl(size) + "), 0.0, 0.0)", pixels, params);
+      for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const glm::dvec2 centre = (glm::dvec2(pixels[i]) + 0.5) * std::exp2(index) - 0.5;
+        const glm::dvec2 corner = glm::dvec2(glm::ivec2(pixels[i]) * (1 << index) + (1 << index) / 2);
+        const glm::dvec2 expected = glm::min(filtered ? centre : corner, glm::dvec2(size - 1));
+        ASSERT_EQ(glm::dvec2(places[i]), expected) << "level " << index;
       }
     }
   }
@@ -283,8 +318,8 @@ TEST_F(GlslFunctions, MaskCoordinatesAreThoseOfThePixelsPlace) {
       std::vector<glm::vec4> pixels;
       pixels.reserve(static_cast<std::size_t>(size.x));
       for (int x = 0; x < size.x; ++x) pixels.emplace_back(x, x % size.y, 0, 0);
-      const auto values = evaluateLevel("vec4(maskCoordinate(ivec2(a.xy)), 0.0, 0.0)", pixels,
-                                        levelParams({level}, size, 0.0f));
+      const auto values =
+          evaluateLevel("vec4(maskCoordinate(a.xy), 0.0, 0.0)", pixels, levelParams({level}, size, 0.0f));
       const glm::dvec2 maskSize(levelSize(size, index + 1));
       for (std::size_t i = 0; i < pixels.size(); ++i) {
         const glm::dvec2 expected = (glm::dvec2(pixels[i]) + 0.5) / std::exp2(index + 1) / maskSize;

@@ -199,6 +199,27 @@ TEST_F(Progressive, ComparesRadiancesByTheirContrast) {
   }
 }
 
+TEST_F(Progressive, ALineOfOnePixelsWidthIsWholeWhereverItLies) {
+  const glm::ivec2 size(256, 192);
+  const SyntheticGBuffer gbuffer(size, perspective(size), plane({0.0, 0.0, 1.0}, -10.0));
+  for (const std::string axis : {"x", "y"}) {
+    for (int line = 64; line < 72; ++line) {
+      SCOPED_TRACE(axis + " = " + std::to_string(line));
+      const std::string value =
+          "(int(surface.pixel." + axis + ") == " + std::to_string(line) + " ? 1.0 : 0.0)";
+      TestEffect effect({.body = "return vec4(" + value + ");",
+                         .filtered = true,
+                         .name = "line " + axis + std::to_string(line),
+                         .preview = "return vec2(" + value + ");"});
+      MultiResolution multiResolution;
+      const Picture levels = renderPicture(multiResolution, effect, gbuffer.frame());
+      multiResolution.settings().technique = Technique::full;
+      const Picture full = renderPicture(multiResolution, effect, gbuffer.frame());
+      EXPECT_LT(maxDifference(levels, full), 0.1) << "a line that is lost makes 0.25";
+    }
+  }
+}
+
 TEST_F(Progressive, WithAThresholdOfZeroEdgesAloneDecide) {
   const glm::ivec2 size(192, 128);
   const SyntheticGBuffer gbuffer(size, perspective(size), room());
