@@ -112,15 +112,20 @@ Measurement Campaign::measure(const BenchCase& benchCase, const PictureSettings&
       {benchCase.camera, benchCase.size, request_.timing, benchCase.truth},
       [&](double share, const std::string& what) { show(kShareOfMeasuring * share, benchCase, what); });
   measurement.settings = values;
-  if (benchCase.pictures) measurement.pictures = writeCasePictures(benchCase, comparison);
+  measurement.pictures = writeCasePictures(benchCase, comparison, measurement.error->blocks.worst);
   return measurement;
 }
 
-Json Campaign::writeCasePictures(const BenchCase& benchCase, Comparison& comparison) {
+Json Campaign::writeCasePictures(const BenchCase& benchCase, Comparison& comparison, glm::ivec2 worstPlace) {
+  Json pictures = Json::object();
+  if (!benchCase.pictures && !benchCase.worstPlace) return pictures;
   show(kShareOfMeasuring, benchCase, "writing pictures");
   const fs::path folder = pictureFolderOf(benchCase);
   const OutputDirectory directory(request_.output / folder);
-  return picturesBelow(folder, writePictures(comparison.pictures(), directory.path()));
+  if (benchCase.pictures) pictures.update(writePictures(comparison.pictures(), directory.path()));
+  if (benchCase.worstPlace)
+    pictures.update(writePlace(comparison.litPictures(), worstPlace, directory.path()));
+  return picturesBelow(folder, pictures);
 }
 
 /// Of a scene, whose cases come one after the other.

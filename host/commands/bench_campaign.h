@@ -42,7 +42,7 @@ class Campaign {
   /// Nothing where there is nothing to measure, or it fails.
   std::optional<Measurement> measure(const BenchCase& benchCase);
   Measurement measure(const BenchCase& benchCase, const PictureSettings& settings, const Json& values);
-  Json writeCasePictures(const BenchCase& benchCase, Comparison& comparison);
+  Json writeCasePictures(const BenchCase& benchCase, Comparison& comparison, glm::ivec2 worstPlace);
   void noteOnce(const BenchCase& benchCase, const Comparison& comparison);
   void leaveOut(const BenchCase& benchCase, const std::string& reason);
   void show(double shareOfCase, const BenchCase& benchCase, const std::string& what);

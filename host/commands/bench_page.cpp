@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <functional>
 #include <kainjow/mustache.hpp>
 #include <map>
 #include <span>
@@ -74,14 +75,19 @@ Object errorOf(const Json& result) {
 constexpr std::array kPhotographs{"full", "mres", "effect_full", "effect_mres", "difference"};
 constexpr const char* kLevelMap = "levels";
 
-bool hasPictures(const Json& result, const fs::path& folder) {
-  const auto isThere = [&](const char* subject) {
-    std::error_code ignored;  // what cannot be looked at cannot be shown
-    const Json& pictures = result["pictures"];
-    return pictures.contains(subject) &&
-           fs::is_regular_file(folder / pictures[subject].get<std::string>(), ignored);
-  };
-  return std::ranges::all_of(kPhotographs, isThere) && isThere(kLevelMap);
+/// Where a picture is farthest from its reference.
+constexpr std::array kWorstPlace{"worst_full", "worst_mres"};
+
+bool hasPicture(const Json& result, const char* subject, const fs::path& folder) {
+  std::error_code ignored;  // what cannot be looked at cannot be shown
+  const Json& pictures = result["pictures"];
+  return pictures.contains(subject) &&
+         fs::is_regular_file(folder / pictures[subject].get<std::string>(), ignored);
+}
+
+bool hasPictures(const Json& result, std::span<const char* const> subjects, const fs::path& folder) {
+  return std::ranges::all_of(subjects,
+                             [&](const char* subject) { return hasPicture(result, subject, folder); });
 }
 
 std::string figuresOf(const Json& result) {
@@ -105,8 +111,34 @@ data viewOf(const Json& result, const fs::path& folder) {
 List viewsOf(const Json& report, const fs::path& folder) {
   List views;
   for (const Json& result : report["results"])
-    if (hasPictures(result, folder)) views.push_back(viewOf(result, folder));
+    if (hasPictures(result, kPhotographs, folder) && hasPicture(result, kLevelMap, folder))
+      views.push_back(viewOf(result, folder));
   return views;
+}
+
+data worstPlaceOf(const Json& result, const fs::path& folder) {
+  const Json& error = result["error"];
+  Object place{
+      {"title", titleOf(result)},
+      {"figures",
+       fmt::format("RMS {:.4f}, of this block {:.3f}, of 99 % of the blocks at most {:.3f}", rmsOf(result),
+                   error["block_max"].get<double>(), error["block_p99"].get<double>())}};
+  for (const char* subject : kWorstPlace)
+    place[subject] = jpegDataUri(folder / result["pictures"][subject].get<std::string>());
+  return place;
+}
+
+/// The worst first.
+List worstPlacesOf(const Json& report, const fs::path& folder) {
+  std::vector<const Json*> results;
+  for (const Json& result : report["results"])
+    if (hasPictures(result, kWorstPlace, folder) && result["error"].contains("block_max"))
+      results.push_back(&result);
+  std::ranges::stable_sort(results, std::greater(),
+                           [](const Json* result) { return (*result)["error"]["block_max"].get<double>(); });
+  List places;
+  for (const Json* result : results) places.push_back(worstPlaceOf(*result, folder));
+  return places;
 }
 
 /// Of each scene that has some, in sentences.
@@ -144,6 +176,7 @@ data settingsOf(const Json& report) {
 std::string makePage(const Json& report, const std::vector<Plot>& plots, const fs::path& folder) {
   const Json& machine = report["machine"];
   const List views = viewsOf(report, folder);
+  const List worstPlaces = worstPlacesOf(report, folder);
   const List warnings = warningsOf(report);
   Object page{{"style", pageFile("style.css")},
               {"script", pageFile("script.js")},
@@ -156,6 +189,8 @@ std::string makePage(const Json& report, const std::vector<Plot>& plots, const f
               {"plots", plotsOf(plots, folder)},
               {"has_views", !views.empty()},
               {"views", views},
+              {"has_worst_places", !worstPlaces.empty()},
+              {"worst_places", worstPlaces},
               {"table", tableOf(tableRows(report))},
               {"has_warnings", !warnings.empty()},
               {"warnings", warnings},

@@ -17,9 +17,10 @@ struct BenchCase {
   std::string effect;
   int samples = 0;
   glm::ivec2 size{0};
-  int camera = 0;         ///< scenes that have fewer go without
-  bool pictures = false;  ///< whether the report shows it
-  bool truth = false;     ///< whether it is measured against truth, too
+  int camera = 0;           ///< scenes that have fewer go without
+  bool pictures = false;    ///< whether the report shows it
+  bool truth = false;       ///< whether it is measured against truth, too
+  bool worstPlace = false;  ///< whether the report shows where it is farthest from its reference
 };
 
 struct SuiteRequest {

@@ -21,11 +21,6 @@ bool areFinite(float a, float b) {
   return std::isfinite(a) && std::isfinite(b);
 }
 
-double absoluteError(float value, float expected) {
-  return areFinite(value, expected) ? std::abs(static_cast<double>(value) - static_cast<double>(expected))
-                                    : 1.0;
-}
-
 double meanStructuralSimilarity(const FloatImage& image, const FloatImage& reference) {
   double sum = 0.0;
   for (int channel = 0; channel < image.channels; ++channel)
@@ -34,6 +29,11 @@ double meanStructuralSimilarity(const FloatImage& image, const FloatImage& refer
 }
 
 }  // namespace
+
+double absoluteError(float value, float expected) {
+  return areFinite(value, expected) ? std::abs(static_cast<double>(value) - static_cast<double>(expected))
+                                    : 1.0;
+}
 
 ValueErrors compareValues(const FloatImage& image, const FloatImage& reference) {
   requireSameShape(image, reference);
@@ -55,6 +55,7 @@ ErrorMetrics compareImages(const FloatImage& image, const FloatImage& reference)
   metrics.psnr =
       metrics.rms > 0.0 ? -20.0 * std::log10(metrics.rms) : std::numeric_limits<double>::infinity();
   metrics.ssim = meanStructuralSimilarity(image, reference);
+  metrics.blocks = compareBlocks(image, reference);
   return metrics;
 }
 

@@ -5,8 +5,12 @@
 #include <cstdint>
 
 #include "host/image/image_file.h"
+#include "host/measure/block_errors.h"
 
 namespace host {
+
+/// |value - expected|; 1 where either isn't finite.
+double absoluteError(float value, float expected);
 
 /// Of values one by one, wherever in a picture they are.
 struct ValueErrors {
@@ -26,6 +30,7 @@ struct ErrorMetrics {
   double psnr = 0.0;           ///< decibels for a peak of 1, whatever the values; infinite for equal images
   double ssim = 1.0;           ///< structural similarity, 1 for equal images
   std::int64_t nonFinite = 0;  ///< as in ValueErrors
+  BlockErrors blocks = {};
 };
 
 /// Compares images of the same size and number of channels; throws std::invalid_argument for others. SSIM is

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "host/image/crop.h"
+
 namespace host {
 namespace {
 
@@ -35,6 +37,13 @@ Json writePictures(const ComparisonPictures& pictures, const std::filesystem::pa
   }
   names["difference_enhancement"] = kDifferenceEnhancement;
   return names;
+}
+
+Json writePlace(const LitPictures& pictures, glm::ivec2 place, const std::filesystem::path& directory) {
+  constexpr int kSide = 256;
+  writeImage(directory / "worst_full.png", cropAround(pictures.reference, place, kSide));
+  writeImage(directory / "worst_mres.png", cropAround(pictures.technique, place, kSide));
+  return {{"worst_full", "worst_full.png"}, {"worst_mres", "worst_mres.png"}};
 }
 
 Json picturesBelow(const std::filesystem::path& folder, Json pictures) {

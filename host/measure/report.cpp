@@ -30,7 +30,10 @@ Json toJson(const ErrorMetrics& error) {
           {"max", error.max},
           {"psnr", finiteOrNull(error.psnr)},
           {"ssim", error.ssim},
-          {"non_finite", error.nonFinite}};
+          {"non_finite", error.nonFinite},
+          {"block_max", error.blocks.max},
+          {"block_p99", error.blocks.percentile99},
+          {"worst_place", {error.blocks.worst.x, error.blocks.worst.y}}};
 }
 
 /// By name; null if none was asked for.

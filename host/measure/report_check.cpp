@@ -60,7 +60,9 @@ bool isSummary(const Json& value) {
 
 bool isError(const Json& value) {
   return has<isNumber>(value, "rms") && has<isNumber>(value, "max") &&
-         has<isNullOr<isNumber>>(value, "psnr") && has<isNumber>(value, "ssim");
+         has<isNullOr<isNumber>>(value, "psnr") && has<isNumber>(value, "ssim") &&
+         (!value.contains("block_max") ||  // older reports lack it
+          (has<isNumber>(value, "block_max") && has<isNumber>(value, "block_p99")));
 }
 
 /// Errors against a truth.

@@ -35,11 +35,13 @@ TEST_F(Command, BenchWritesACampaignAndResumesIt) {
     EXPECT_GT(result["seconds"], 0.0);
   }
   EXPECT_THAT(effects, testing::ElementsAre("ssao", "ssao", "ssm", "ssgi"));
-  EXPECT_TRUE(
-      fs::exists(folder_.path() / "bench" / report["results"][0]["pictures"]["mres"].get<std::string>()));
+  for (const char* subject : {"mres", "worst_full", "worst_mres"})
+    EXPECT_TRUE(
+        fs::exists(folder_.path() / "bench" / report["results"][0]["pictures"][subject].get<std::string>()))
+        << subject;
   const std::string page = readFile(folder_.path() / "bench/report.html");
-  EXPECT_THAT(page,
-              AllOf(HasSubstr("data:image/jpeg"), HasSubstr("Against the truth"), HasSubstr("</html>")));
+  EXPECT_THAT(page, AllOf(HasSubstr("data:image/jpeg"), HasSubstr("Against the truth"),
+                          HasSubstr("Worst places"), HasSubstr("</html>")));
   if (first.err.empty()) {  // else it says that there is no gnuplot
     EXPECT_THAT(filesBelow("bench/plots"), testing::Contains("speedup-by-size.svg"));
   }

@@ -65,6 +65,23 @@ TEST_F(Bench, ThePageDoesWithoutPicturesThatAreGone) {
   EXPECT_EQ(countOf(makePage(results.report(), {}, folder_), "src="), 0U);
 }
 
+TEST_F(Bench, ThePageShowsWorstPlacesTheWorstFirst) {
+  BenchResults results(file(), kMachine, false);
+  for (const int camera : {0, 1, 2}) {
+    Measurement measurement = measurementOf(camera, {64, 64}, 16);
+    measurement.error->blocks.max = 0.1 + 0.1 * (camera % 2);
+    if (camera < 2)
+      for (const char* subject : {"worst_full", "worst_mres"})
+        measurement.pictures[subject] = picturesIn(folder_)["mres"];
+    results.add(measurement);
+  }
+  const std::string page = makePage(results.report(), {}, folder_);
+  EXPECT_THAT(page, testing::ContainsRegex("hall &lt;1&gt; 1.*block 0.200.*hall &lt;1&gt; 0.*block 0.100"));
+  EXPECT_EQ(countOf(page, "src=\"data:image/jpeg;base64,"), 4U);
+  fs::remove(folder_ / "mres.png");
+  EXPECT_THAT(makePage(results.report(), {}, folder_), testing::Not(HasSubstr("Worst places")));
+}
+
 /// As XML, but for its script: that is no markup.
 TEST_F(Bench, ThePageIsWellFormed) {
   if (std::system("command -v python3 > /dev/null") != 0) GTEST_SKIP() << "python3 is not installed";

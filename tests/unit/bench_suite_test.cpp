@@ -103,6 +103,15 @@ TEST(PaperSuite, MeasuresEveryViewAndEffectInOneSizeAgainstTruth) {
   EXPECT_EQ(views.size(), 3U * 8 * effectNames().size());
 }
 
+TEST(PaperSuite, ShowsTheWorstPlaceOfEveryPictureOfFigure10) {
+  std::vector<std::string> shown;
+  for (const BenchCase& each : suiteCases({"paper"}))
+    if (each.worstPlace) shown.push_back(nameOf(each));
+  EXPECT_EQ(shown.size(), 3U * 8 * 3);
+  EXPECT_THAT(shown, testing::IsSupersetOf({"hall 4 3840x2160 ssao 64", "office 7 3840x2160 ssm 196",
+                                            "breakfast 0 3840x2160 ssgi 288"}));
+}
+
 TEST(QuickSuite, HasNoTimeForTruth) {
   for (const BenchCase& each : suiteCases({"quick"})) EXPECT_FALSE(each.truth) << nameOf(each);
 }

@@ -80,6 +80,37 @@ TEST(ErrorMetrics, MaximumFindsTheOneWrongPixel) {
   EXPECT_NEAR(metrics.rms, 0.4 / 64.0, 1e-7);
 }
 
+TEST(BlockErrors, FindTheWorstBlockAlsoWhereItIsCutOff) {
+  const FloatImage reference = makeImage({37, 21}, [](int, int) { return 0.5f; });
+  for (const glm::ivec2 corner : {glm::ivec2(0, 0), {16, 8}, {32, 8}, {8, 16}, {32, 16}}) {
+    const glm::ivec2 end = glm::min(corner + 8, reference.size);
+    const auto isIn = [&](int x, int y) { return x >= corner.x && y >= corner.y && x < end.x && y < end.y; };
+    const FloatImage image =
+        makeImage(reference.size, [&](int x, int y) { return isIn(x, y) ? 0.7f : 0.55f; });
+    const BlockErrors errors = compareBlocks(image, reference);
+    EXPECT_NEAR(errors.max, 0.2, 1e-7);
+    EXPECT_TRUE(isIn(errors.worst.x, errors.worst.y)) << errors.worst.x << ", " << errors.worst.y;
+  }
+}
+
+TEST(BlockErrors, NinetyNineOfAHundredBlocksDoNotExceedThePercentile) {
+  const FloatImage reference = makeImage({80, 80}, [](int, int) { return 0.0f; });
+  const FloatImage image =
+      makeImage({80, 80}, [](int x, int y) { return static_cast<float>(y / 8 * 10 + x / 8 + 1) / 100.0f; });
+  const BlockErrors errors = compareBlocks(image, reference);
+  EXPECT_NEAR(errors.max, 1.0, 1e-6);
+  EXPECT_NEAR(errors.percentile99, 0.99, 1e-6);
+  EXPECT_EQ(errors.worst, glm::ivec2(76));
+}
+
+TEST(BlockErrors, CountEveryChannelAndWhatIsNotANumber) {
+  const FloatImage reference{{8, 8}, 3, std::vector<float>(8 * 8 * 3, 0.5f)};
+  FloatImage image = reference;
+  for (int i = 0; i < 48; ++i) image.pixels[i] = kNaN;
+  EXPECT_NEAR(compareBlocks(image, reference).max, 0.5, 1e-12);
+  EXPECT_EQ(compareImages(image, reference).blocks.max, compareBlocks(image, reference).max);
+}
+
 TEST(ErrorMetrics, ErrorsBelowEightBitsAreNotLost) {
   const FloatImage reference = makeImage({16, 16}, [](int, int) { return 0.5f; });
   const FloatImage image = makeImage({16, 16}, [](int, int) { return 0.50001f; });

@@ -34,7 +34,12 @@ Measurement example() {
     times.reference.push_back({.wallMs = 250.0 + jitter});
   }
   measurement.times = times;
-  measurement.error = ErrorMetrics{.rms = 0.01, .max = 0.3, .psnr = 40.0, .ssim = 0.99, .nonFinite = 0};
+  measurement.error = ErrorMetrics{.rms = 0.01,
+                                   .max = 0.3,
+                                   .psnr = 40.0,
+                                   .ssim = 0.99,
+                                   .nonFinite = 0,
+                                   .blocks = {.max = 0.2, .percentile99 = 0.1, .worst = {12, 34}}};
   measurement.coverage = {0.04, 0.09, 0.2, 1.0};
   measurement.stages = {{"edges", 30.0}, {"level0", 70.0}};
   measurement.stagesClock = "glFinish+steady_clock";
@@ -70,7 +75,8 @@ TEST(Report, HasTheFieldsThatScriptsRelyOn) {
   EXPECT_EQ(result["time_ms"].dump(), R"({"median":100.0,"min":99.0,"max":101.0,"runs":6})");
   EXPECT_EQ(result["reference_time_ms"]["median"], 250.0);
   EXPECT_EQ(result["speedup"], 2.5);
-  EXPECT_EQ(result["error"].dump(), R"({"rms":0.01,"max":0.3,"psnr":40.0,"ssim":0.99,"non_finite":0})");
+  EXPECT_EQ(result["error"].dump(), R"({"rms":0.01,"max":0.3,"psnr":40.0,"ssim":0.99,"non_finite":0,)"
+                                    R"("block_max":0.2,"block_p99":0.1,"worst_place":[12,34]})");
   EXPECT_EQ(result["coverage"].dump(), "[0.04,0.09,0.2,1.0]");
   EXPECT_DOUBLE_EQ(result["work"].get<double>(), 0.04 + 0.09 / 4.0 + 0.2 / 16.0 + 1.0 / 64.0);
   EXPECT_DOUBLE_EQ(result["floor_ms"].get<double>(), 250.0 * result["work"].get<double>());

@@ -1,0 +1,62 @@
+#include "host/measure/block_errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "host/measure/error_metrics.h"
+
+namespace host {
+namespace {
+
+constexpr int kBlock = 8;
+
+struct BlockSum {
+  double squares = 0.0;
+  int values = 0;
+};
+
+double rmsOf(const BlockSum& block) {
+  return std::sqrt(block.squares / block.values);
+}
+
+std::vector<BlockSum> sumBlocks(const FloatImage& image, const FloatImage& reference, glm::ivec2 blocks) {
+  std::vector<BlockSum> sums(static_cast<std::size_t>(blocks.x) * static_cast<std::size_t>(blocks.y));
+  std::size_t i = 0;
+  for (int y = 0; y < image.size.y; ++y) {
+    for (int x = 0; x < image.size.x; ++x) {
+      BlockSum& sum = sums[static_cast<std::size_t>(y / kBlock * blocks.x + x / kBlock)];
+      for (int channel = 0; channel < image.channels; ++channel, ++i) {
+        const double error = absoluteError(image.pixels[i], reference.pixels[i]);
+        sum.squares += error * error;
+        ++sum.values;
+      }
+    }
+  }
+  return sums;
+}
+
+/// The least value that is not exceeded by a share of the values.
+double percentile(std::vector<double> values, double share) {
+  const auto rank = static_cast<std::ptrdiff_t>(std::ceil(share * static_cast<double>(values.size()))) - 1;
+  const auto place = values.begin() + std::max<std::ptrdiff_t>(rank, 0);
+  std::ranges::nth_element(values, place);
+  return *place;
+}
+
+}  // namespace
+
+BlockErrors compareBlocks(const FloatImage& image, const FloatImage& reference) {
+  const glm::ivec2 blocks = (image.size + kBlock - 1) / kBlock;
+  std::vector<double> errors;
+  for (const BlockSum& sum : sumBlocks(image, reference, blocks)) errors.push_back(rmsOf(sum));
+  const auto worst = std::ranges::max_element(errors);
+  const auto index = static_cast<int>(worst - errors.begin());
+  const glm::ivec2 corner = kBlock * glm::ivec2(index % blocks.x, index / blocks.x);
+  return {.max = *worst,
+          .percentile99 = percentile(errors, 0.99),
+          .worst = glm::min(corner + kBlock / 2, image.size - 1)};
+}
+
+}  // namespace host
