@@ -117,14 +117,14 @@ Measurement Campaign::measure(const BenchCase& benchCase, const PictureSettings&
 }
 
 Json Campaign::writeCasePictures(const BenchCase& benchCase, Comparison& comparison, glm::ivec2 worstPlace) {
-  Json pictures = Json::object();
-  if (!benchCase.pictures && !benchCase.worstPlace) return pictures;
+  if (!benchCase.pictures && !benchCase.worstPlace) return Json::object();
   show(kShareOfMeasuring, benchCase, "writing pictures");
   const fs::path folder = pictureFolderOf(benchCase);
   const OutputDirectory directory(request_.output / folder);
-  if (benchCase.pictures) pictures.update(writePictures(comparison.pictures(), directory.path()));
-  if (benchCase.worstPlace)
-    pictures.update(writePlace(comparison.litPictures(), worstPlace, directory.path()));
+  const ComparisonPictures shown = comparison.pictures();
+  Json pictures = Json::object();
+  if (benchCase.pictures) pictures.update(writePictures(shown, directory.path()));
+  if (benchCase.worstPlace) pictures.update(writeWorstPlace(shown, worstPlace, directory.path()));
   return picturesBelow(folder, pictures);
 }
 

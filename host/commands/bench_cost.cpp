@@ -38,6 +38,7 @@ double techniqueSeconds(const BenchCase& benchCase) {
 constexpr double kSecondsPerMegapixel = 0.4;
 constexpr double kSecondsPerCase = 0.5;
 constexpr double kSecondsOfPictures = 6.0;
+constexpr double kSecondsOfWorstPlacePerMegapixel = 0.3;
 constexpr double kInspectedFrames = 3.0;  // of the technique, for its stages
 
 double truthSeconds(const BenchCase& benchCase) {
@@ -74,7 +75,8 @@ RepeatPlan campaignPlan() {
 double secondsOf(const BenchCase& benchCase, const RepeatPlan& plan) {
   return warmUpSeconds(benchCase, plan) + pairsSeconds(benchCase, plan) +
          kInspectedFrames * techniqueSeconds(benchCase) + kSecondsPerMegapixel * 1e-6 * pixelsOf(benchCase) +
-         kSecondsPerCase + truthSeconds(benchCase) + (benchCase.pictures ? kSecondsOfPictures : 0.0);
+         kSecondsPerCase + truthSeconds(benchCase) + (benchCase.pictures ? kSecondsOfPictures : 0.0) +
+         (benchCase.worstPlace ? kSecondsOfWorstPlacePerMegapixel * 1e-6 * pixelsOf(benchCase) : 0.0);
 }
 
 }  // namespace host

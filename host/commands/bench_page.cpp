@@ -76,7 +76,7 @@ constexpr std::array kPhotographs{"full", "mres", "effect_full", "effect_mres", 
 constexpr const char* kLevelMap = "levels";
 
 /// Where a picture is farthest from its reference.
-constexpr std::array kWorstPlace{"worst_full", "worst_mres"};
+constexpr std::array kWorstPlace{"worst_full", "worst_mres", "worst_effect_full", "worst_effect_mres"};
 
 bool hasPicture(const Json& result, const char* subject, const fs::path& folder) {
   std::error_code ignored;  // what cannot be looked at cannot be shown
@@ -121,8 +121,8 @@ data worstPlaceOf(const Json& result, const fs::path& folder) {
   Object place{
       {"title", titleOf(result)},
       {"figures",
-       fmt::format("RMS {:.4f}, of this block {:.3f}, of 99 % of the blocks at most {:.3f}", rmsOf(result),
-                   error["block_max"].get<double>(), error["block_p99"].get<double>())}};
+       fmt::format("RMS {:.4f}, of the worst block {:.3f}, of 99 % of the blocks at most {:.3f}",
+                   rmsOf(result), error["block_max"].get<double>(), error["block_p99"].get<double>())}};
   for (const char* subject : kWorstPlace)
     place[subject] = jpegDataUri(folder / result["pictures"][subject].get<std::string>());
   return place;

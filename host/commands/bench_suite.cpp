@@ -36,17 +36,21 @@ const std::vector<PaperEffect>& paperEffects() {
 }
 
 /// Ordered so that shaders and targets serve as many cases as they can; a picture that several figures show
-/// is there once.
+/// is there once, with all that these want of it.
 Cases sortedDistinct(Cases cases) {
   const auto key = [](const BenchCase& each) {
     return std::tuple(each.samples, each.size.x, each.size.y, each.camera);
   };
-  std::ranges::sort(cases, {}, [&](const BenchCase& each) {
-    return std::tuple(key(each), !each.pictures, !each.worstPlace);
-  });
-  const auto isSame = [&](const BenchCase& a, const BenchCase& b) { return key(a) == key(b); };
-  cases.erase(std::unique(cases.begin(), cases.end(), isSame), cases.end());
-  return cases;
+  std::ranges::stable_sort(cases, {}, key);
+  Cases distinct;
+  for (const BenchCase& each : cases) {
+    if (distinct.empty() || key(distinct.back()) != key(each)) distinct.push_back(each);
+    BenchCase& kept = distinct.back();
+    kept.pictures |= each.pictures;
+    kept.truth |= each.truth;
+    kept.worstPlace |= each.worstPlace;
+  }
+  return distinct;
 }
 
 std::vector<BenchScene> scenesOf(const SuiteRequest& request) {
@@ -123,7 +127,13 @@ Cases smokeSuite(const SuiteRequest& request) {
       request.scenes.empty() ? std::vector<BenchScene>{{"office", "office"}} : request.scenes;
   Cases cases;
   for (const BenchScene& scene : scenes)
-    cases.insert(cases.end(), {{scene, "ssao", 4, {64, 36}, 0, true, true, true},
+    cases.insert(cases.end(), {{.scene = scene,
+                                .effect = "ssao",
+                                .samples = 4,
+                                .size = {64, 36},
+                                .pictures = true,
+                                .truth = true,
+                                .worstPlace = true},
                                {scene, "ssao", 4, {32, 18}, 0},
                                {scene, "ssm", 4, {64, 36}, 0},
                                {scene, "ssgi", 8, {64, 36}, 0}});

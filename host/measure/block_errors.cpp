@@ -5,7 +5,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "host/measure/error_metrics.h"
+#include "host/measure/statistics.h"
+#include "host/measure/value_error.h"
 
 namespace host {
 namespace {
@@ -37,14 +38,6 @@ std::vector<BlockSum> sumBlocks(const FloatImage& image, const FloatImage& refer
   return sums;
 }
 
-/// The least value that is not exceeded by a share of the values.
-double percentile(std::vector<double> values, double share) {
-  const auto rank = static_cast<std::ptrdiff_t>(std::ceil(share * static_cast<double>(values.size()))) - 1;
-  const auto place = values.begin() + std::max<std::ptrdiff_t>(rank, 0);
-  std::ranges::nth_element(values, place);
-  return *place;
-}
-
 }  // namespace
 
 BlockErrors compareBlocks(const FloatImage& image, const FloatImage& reference) {
@@ -55,7 +48,7 @@ BlockErrors compareBlocks(const FloatImage& image, const FloatImage& reference) 
   const auto index = static_cast<int>(worst - errors.begin());
   const glm::ivec2 corner = kBlock * glm::ivec2(index % blocks.x, index / blocks.x);
   return {.max = *worst,
-          .percentile99 = percentile(errors, 0.99),
+          .percentile99 = quantile(errors, 0.99),
           .worst = glm::min(corner + kBlock / 2, image.size - 1)};
 }
 

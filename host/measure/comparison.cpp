@@ -90,15 +90,10 @@ FloatImage Comparison::litBy(GLuint effect) {
   return readTexture(renderer_.drawToneMap(), frame_.size, 3);
 }
 
-LitPictures Comparison::litPictures() {
-  return {litBy(referenceTexture_), litBy(techniqueTexture_)};
-}
-
 ComparisonPictures Comparison::pictures() {
   ComparisonPictures pictures;
-  LitPictures lit = litPictures();
-  pictures.reference = std::move(lit.reference);
-  pictures.technique = std::move(lit.technique);
+  pictures.reference = litBy(referenceTexture_);
+  pictures.technique = litBy(techniqueTexture_);
   pictures.referenceEffect = referenceValues_;
   pictures.techniqueEffect = techniqueValues_;
   pictures.difference = differenceImage(techniqueValues_, referenceValues_, kDifferenceEnhancement);

@@ -32,12 +32,6 @@ struct ComparisonPictures {
   FloatImage levels;  ///< the finest level at each pixel: red full, green half, blue quarter, black eighth
 };
 
-/// What users see, encoded for display.
-struct LitPictures {
-  FloatImage reference;
-  FloatImage technique;
-};
-
 inline constexpr float kDifferenceEnhancement = 8.0f;
 
 /// Measures a technique against the effect at full resolution, on the effect's values and nothing else: the
@@ -55,7 +49,6 @@ class Comparison {
 
   /// Of what measure() was last asked.
   ComparisonPictures pictures();
-  LitPictures litPictures();
 
  private:
   void render(const ComparisonRequest& request, Measurement& measurement, const WorkObserver& observe);

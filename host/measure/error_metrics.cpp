@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "host/measure/structural_similarity.h"
+#include "host/measure/value_error.h"
 
 namespace host {
 namespace {
@@ -17,10 +18,6 @@ void requireSameShape(const FloatImage& image, const FloatImage& reference) {
     throw std::invalid_argument("only images of the same size and channels, with pixels, can be compared");
 }
 
-bool areFinite(float a, float b) {
-  return std::isfinite(a) && std::isfinite(b);
-}
-
 double meanStructuralSimilarity(const FloatImage& image, const FloatImage& reference) {
   double sum = 0.0;
   for (int channel = 0; channel < image.channels; ++channel)
@@ -29,11 +26,6 @@ double meanStructuralSimilarity(const FloatImage& image, const FloatImage& refer
 }
 
 }  // namespace
-
-double absoluteError(float value, float expected) {
-  return areFinite(value, expected) ? std::abs(static_cast<double>(value) - static_cast<double>(expected))
-                                    : 1.0;
-}
 
 ValueErrors compareValues(const FloatImage& image, const FloatImage& reference) {
   requireSameShape(image, reference);

@@ -9,9 +9,6 @@
 
 namespace host {
 
-/// |value - expected|; 1 where either isn't finite.
-double absoluteError(float value, float expected);
-
 /// Of values one by one, wherever in a picture they are.
 struct ValueErrors {
   double rms = 0.0;

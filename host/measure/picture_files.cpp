@@ -25,6 +25,13 @@ constexpr std::array<PictureFile, 9> kFiles{{
     {"levels", "levels.png", &ComparisonPictures::levels},
 }};
 
+constexpr std::array<PictureFile, 4> kWorstPlaceFiles{{
+    {"worst_full", "worst_full.png", &ComparisonPictures::reference},
+    {"worst_mres", "worst_mres.png", &ComparisonPictures::technique},
+    {"worst_effect_full", "worst_effect_full.png", &ComparisonPictures::referenceEffect},
+    {"worst_effect_mres", "worst_effect_mres.png", &ComparisonPictures::techniqueEffect},
+}};
+
 }  // namespace
 
 Json writePictures(const ComparisonPictures& pictures, const std::filesystem::path& directory,
@@ -39,11 +46,15 @@ Json writePictures(const ComparisonPictures& pictures, const std::filesystem::pa
   return names;
 }
 
-Json writePlace(const LitPictures& pictures, glm::ivec2 place, const std::filesystem::path& directory) {
+Json writeWorstPlace(const ComparisonPictures& pictures, glm::ivec2 place,
+                     const std::filesystem::path& directory) {
   constexpr int kSide = 256;
-  writeImage(directory / "worst_full.png", cropAround(pictures.reference, place, kSide));
-  writeImage(directory / "worst_mres.png", cropAround(pictures.technique, place, kSide));
-  return {{"worst_full", "worst_full.png"}, {"worst_mres", "worst_mres.png"}};
+  Json names = Json::object();
+  for (const PictureFile& entry : kWorstPlaceFiles) {
+    writeImage(directory / entry.file, cropAround(pictures.*entry.picture, place, kSide));
+    names[entry.subject] = entry.file;
+  }
+  return names;
 }
 
 Json picturesBelow(const std::filesystem::path& folder, Json pictures) {

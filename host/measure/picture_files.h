@@ -15,8 +15,10 @@ using FileObserver = std::function<void(const std::string& name)>;
 Json writePictures(const ComparisonPictures& pictures, const std::filesystem::path& directory,
                    const FileObserver& observe = {});
 
-/// Writes what lies around a place, 256x256 pixels of it, into `directory`, and returns what for a report.
-Json writePlace(const LitPictures& pictures, glm::ivec2 place, const std::filesystem::path& directory);
+/// Writes what lies around the place where the pictures differ most, 256x256 pixels of it, into `directory`,
+/// and returns what for a report.
+Json writeWorstPlace(const ComparisonPictures& pictures, glm::ivec2 place,
+                     const std::filesystem::path& directory);
 
 /// The same, with file names relative to the parent of `folder`.
 Json picturesBelow(const std::filesystem::path& folder, Json pictures);

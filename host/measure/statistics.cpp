@@ -13,20 +13,20 @@ namespace {
 constexpr int kResamples = 1000;  // enough for the 2.5 % quantiles, below a millisecond for 31 pairs
 constexpr double kTailProbability = 0.025;  // 95 % two-sided
 
-/// The value below which the given share of `values` lies; reorders them.
-double quantile(std::vector<double>& values, double share) {
-  const auto index = static_cast<std::ptrdiff_t>(std::lround(share * static_cast<double>(values.size() - 1)));
-  const auto position = values.begin() + index;
-  std::nth_element(values.begin(), position, values.end());
-  return *position;
-}
-
 void requirePositive(std::span<const double> values) {
   if (!std::ranges::all_of(values, [](double value) { return value > 0.0 && std::isfinite(value); }))
     throw std::invalid_argument("a ratio of medians needs positive, finite times");
 }
 
 }  // namespace
+
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) throw std::invalid_argument("a quantile of no values is undefined");
+  const auto index = static_cast<std::ptrdiff_t>(std::lround(share * static_cast<double>(values.size() - 1)));
+  const auto position = values.begin() + index;
+  std::nth_element(values.begin(), position, values.end());
+  return *position;
+}
 
 double median(std::vector<double> values) {
   if (values.empty()) throw std::invalid_argument("the median of no values is undefined");

@@ -15,6 +15,9 @@ struct Summary {
   int runs = 0;
 };
 
+/// The value below which the given share of `values` lies. Throws std::invalid_argument for no values at all.
+double quantile(std::vector<double> values, double share);
+
 /// Throws std::invalid_argument for no values at all.
 double median(std::vector<double> values);
 Summary summarize(std::span<const double> values);

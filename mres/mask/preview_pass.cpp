@@ -17,7 +17,8 @@ gl::Program makeDifference(const gl::ShaderLibrary& library, bool withGeometry) 
 
 }  // namespace
 
-PreviewPass::PreviewPass(const gl::ShaderLibrary& library, const EffectDescription& effect) {
+PreviewPass::PreviewPass(const gl::ShaderLibrary& library, const EffectDescription& effect)
+    : filtered_(effect.filtered) {
   if (!effect.hasPreview) return;
   preview_ = makeEffectProgram(library, effect, "mres/preview.frag");
   difference_ = makeDifference(library, false);
@@ -36,7 +37,7 @@ void PreviewPass::ensureTargets(glm::ivec2 fullSize) {
   if (edges_.size() == level.size) return;
   bounds_ = gl::RenderTarget(level.size, {GL_RG8}, 0, "mres.preview");
   edges_ = gl::RenderTarget(level.size, {GL_RG8}, 0, "mres.preview");
-  levelBlock_.upload(levelParams({level}, fullSize, 0.0f));
+  levelBlock_.upload(levelParams({level, nullptr, filtered_}, fullSize, 0.0f));
 }
 
 void PreviewPass::drawBounds(PassContext& context) {

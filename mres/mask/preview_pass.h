@@ -37,6 +37,7 @@ class PreviewPass {
   gl::Program preview_;
   gl::Program difference_;
   gl::Program differenceAndGeometry_;
+  bool filtered_ = false;
   bool isSetUp_ = false;
   gl::UniformBuffer<params::LevelParams> levelBlock_;
   gl::RenderTarget bounds_;

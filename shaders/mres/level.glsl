@@ -12,7 +12,8 @@ ivec2 representativePixel(ivec2 levelPixel, ivec2 fullSize) {
 }
 
 // The full-resolution pixel that a level pixel's value is of, which may lie between pixels: the filter takes the mean over
-// the jitter. The upsampling below knows where each value of the coarser level sits.
+// the jitter. Where it finds no neighbours, beyond steps, values are half a pixel off. The upsampling below knows where each
+// value of the coarser level sits.
 vec2 placeOf(ivec2 levelPixel, ivec2 fullSize) {
     vec2 place = vec2(levelPixel * levelStride + levelHalfStride) - 0.5 * float(levelJitter);
     return min(place, vec2(fullSize - 1));

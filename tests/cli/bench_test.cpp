@@ -35,7 +35,7 @@ TEST_F(Command, BenchWritesACampaignAndResumesIt) {
     EXPECT_GT(result["seconds"], 0.0);
   }
   EXPECT_THAT(effects, testing::ElementsAre("ssao", "ssao", "ssm", "ssgi"));
-  for (const char* subject : {"mres", "worst_full", "worst_mres"})
+  for (const char* subject : {"mres", "worst_full", "worst_mres", "worst_effect_mres"})
     EXPECT_TRUE(
         fs::exists(folder_.path() / "bench" / report["results"][0]["pictures"][subject].get<std::string>()))
         << subject;

@@ -46,6 +46,19 @@ class Filter : public GlTest {
   MultiResolution multiResolution_;
 };
 
+TEST_F(Filter, CoarseLevelsShowARampWhereItIs) {
+  for (const glm::ivec2 size : {glm::ivec2(256, 192), glm::ivec2(251, 183)}) {
+    const SyntheticGBuffer gbuffer(size, perspective(size), plane({0.0, 0.0, 1.0}, -10.0));
+    TestEffect effect({.body = "return vec4(dot(surface.pixel, vec2(0.0015, 0.002)));", .filtered = true});
+    const Image full = render(effect, gbuffer.frame());
+    const Image coarse = render(effect, gbuffer.frame(), Technique::multiResolution);
+    constexpr int kBorder = 24;  // where the filter lacks neighbours
+    for (int y = kBorder; y < size.y - kBorder; ++y)
+      for (int x = kBorder; x < size.x - kBorder; ++x)
+        ASSERT_NEAR(coarse.at({x, y}), full.at({x, y}), 0.0015) << x << ", " << y;
+  }
+}
+
 TEST_F(Filter, IntegratesAPatternExactlyOnPlanesOfEveryTilt) {
   const glm::ivec2 size(61, 47);
   TestEffect one({.body = kPattern, .filtered = true, .name = "one"});

@@ -233,7 +233,7 @@ std::string inGlsl(glm::ivec2 v) {
   return "ivec2(" + std::to_string(v.x) + ", " + std::to_string(v.y) + ")";
 }
 
-/// Every pixel of a level, as far as there are numbers of columns for as many rows.
+/// Pixels along the diagonal, of all four phases of the jitter.
 std::vector<glm::vec4> diagonalOf(glm::ivec2 size) {
   std::vector<glm::vec4> pixels;
   for (int i = 0; i < std::max(size.x, size.y); ++i)

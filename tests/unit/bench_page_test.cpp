@@ -71,13 +71,13 @@ TEST_F(Bench, ThePageShowsWorstPlacesTheWorstFirst) {
     Measurement measurement = measurementOf(camera, {64, 64}, 16);
     measurement.error->blocks.max = 0.1 + 0.1 * (camera % 2);
     if (camera < 2)
-      for (const char* subject : {"worst_full", "worst_mres"})
+      for (const char* subject : {"worst_full", "worst_mres", "worst_effect_full", "worst_effect_mres"})
         measurement.pictures[subject] = picturesIn(folder_)["mres"];
     results.add(measurement);
   }
   const std::string page = makePage(results.report(), {}, folder_);
   EXPECT_THAT(page, testing::ContainsRegex("hall &lt;1&gt; 1.*block 0.200.*hall &lt;1&gt; 0.*block 0.100"));
-  EXPECT_EQ(countOf(page, "src=\"data:image/jpeg;base64,"), 4U);
+  EXPECT_EQ(countOf(page, "src=\"data:image/jpeg;base64,"), 8U);
   fs::remove(folder_ / "mres.png");
   EXPECT_THAT(makePage(results.report(), {}, folder_), testing::Not(HasSubstr("Worst places")));
 }

