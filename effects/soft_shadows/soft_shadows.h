@@ -9,7 +9,7 @@ namespace mres {
 
 inline constexpr int kMaxSoftShadowSamples = 1024;
 
-/// Table 1, column SSM.
+/// Table 1, column SSM; coarse levels repeat their noise every two pixels.
 inline constexpr LevelTable kSoftShadowLevels = {
     {{true, 0.924f, 1000.0f}, {true, 1.848f, 1000.0f, 2}, {true, 3.696f, 1000.0f, 2}, {true, 0.0f, 1.0f, 2}}};
 

@@ -66,8 +66,8 @@ class Penumbra : public SoftShadowsTest {
   Penumbra() { refineByMasks(multiResolution_); }
 
   /// Which of the levels' colours each pixel has.
-  Image levelsOf(Effect& effect, const Frame& frame) {
-    multiResolution_.settings().technique = Technique::paper;
+  Image levelsOf(Effect& effect, const Frame& frame, Technique technique) {
+    multiResolution_.settings().technique = technique;
     static_cast<void>(renderPicture(multiResolution_, effect, frame));
     return {frame.size, 3, readPixels(multiResolution_.debugView(DebugView::levels), frame.size, 3)};
   }
@@ -82,7 +82,7 @@ TEST_F(Penumbra, IsRefined) {
     unfiltered.effect().setInputs(shadow.inputs());
     multiResolution_.settings().technique = Technique::full;
     const Image full{size, 1, renderPicture(multiResolution_, unfiltered, gbuffer.frame())};
-    const Image levels = levelsOf(unfiltered, gbuffer.frame());
+    const Image levels = levelsOf(unfiltered, gbuffer.frame(), Technique::paper);
     int penumbra = 0;
     int coarse = 0;
     for (int i = 0; i < size.x * size.y; ++i) {
@@ -106,7 +106,8 @@ TEST_F(Penumbra, IsAllThatIsRefined) {
   const SyntheticShadow behind(plane({0.0, 0.0, 1.0}, -4.0), below, kMapSize);
   for (const SyntheticShadow* shadow : {&lit, &dark, &behind}) {
     effect_.setInputs(shadow->inputs());
-    EXPECT_THAT(levelsOf(effect_, gbuffer.frame()).texels, testing::Each(0.0f));
+    for (const Technique technique : {Technique::paper, Technique::multiResolution})
+      EXPECT_THAT(levelsOf(effect_, gbuffer.frame(), technique).texels, testing::Each(0.0f));
   }
 }
 
