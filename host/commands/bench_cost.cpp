@@ -18,7 +18,7 @@ struct Cost {
 
 const Cost& costOf(const std::string& effect) {
   static const std::map<std::string, Cost> kCosts{
-      {"ssao", {3.8, 0.6, 0.8}}, {"ssm", {1.7, 0.4, 0.3}}, {"ssgi", {4.5, 0.3, 0.2}}};
+      {"ssao", {3.8, 0.5, 0.8}}, {"ssm", {1.4, 0.35, 0.3}}, {"ssgi", {5.8, 0.23, 0.2}}};
   return kCosts.at(effect);
 }
 
@@ -69,7 +69,7 @@ double pairsSeconds(const BenchCase& benchCase, const RepeatPlan& plan) {
 
 // With these, the paper's suite keeps well within its 100 minutes, truths included; a test adds them up.
 RepeatPlan campaignPlan() {
-  return {.minPairs = 3, .maxSeconds = 1.5, .maxSecondsOfMinPairs = 6.0};
+  return {.minPairs = 3, .maxSeconds = 2.0, .maxSecondsOfMinPairs = 7.5};
 }
 
 double secondsOf(const BenchCase& benchCase, const RepeatPlan& plan) {
