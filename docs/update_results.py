@@ -5,8 +5,8 @@ Usage: docs/update_results.py REPORTS [PAGE]
 
 REPORTS is a folder of folders that mres compare and mres bench wrote. Each block of the page that begins with
 `<!-- begin KIND NAME -->` and ends with `<!-- end -->` is written anew from REPORTS/NAME and nothing else, KIND being
-machine, table, summary, truth, stages or plots; plots go to results/NAME beside the page. Blocks of reports that are not
-there stay, and so does the text around them.
+machine, table, summary, truth, stages, plots or variants; plots go to results/NAME beside the page, and variants are the
+folders below NAME, each with a report. Blocks of reports that are not there stay, and so does the text around them.
 """
 import json
 import pathlib
@@ -73,7 +73,8 @@ def machine(report, _folder, _page):
         parts.append(report["date"])
     seconds = sum(r.get("seconds", 0.0) for r in report["results"])
     if seconds > 0:
-        parts.append(f"{len(report['results'])} pictures in {seconds / 60:.0f} minutes")
+        minutes = max(round(seconds / 60), 1)
+        parts.append(f"{len(report['results'])} pictures in {minutes} minute{'s' if minutes > 1 else ''}")
     return ", ".join(parts) + ".\n"
 
 
@@ -129,6 +130,23 @@ def truth(report, _folder, _page):
     return markdown(rows)
 
 
+def variants(_report, folder, _page):
+    """One row a report below the folder, in the order of their names."""
+    reports = [(variant.name, read_report(variant)) for variant in sorted(folder.iterdir())]
+    rows = [["effect, variant", "views", "speedup", "work", "RMS", "greatest"]]
+    for name, report in reports:
+        if not report:
+            continue
+        effect, *words = name.split("-")
+        results = report["results"]
+        errors = [field(r, ("error", "rms")) for r in results]
+        means = [("speedup", "{:.2f}"), ("work", "{:.3f}")]
+        rows.append([f"{effect}, {' '.join(words)}" if words else effect, str(len(results))]
+                    + [cell(overall(statistics.mean, [field(r, (name,)) for r in results]), form) for name, form in means]
+                    + [cell(overall(figure, errors), "{:.4f}") for figure in (statistics.mean, max)])
+    return markdown(rows) if len(rows) > 1 else None
+
+
 def stages(report, _folder, _page):
     results = report["results"]
     names = list(dict.fromkeys(name for r in results for name in r["stages_ms"]))
@@ -153,14 +171,15 @@ def plots(_report, folder, page):
     return "\n".join(lines)
 
 
-KINDS = {function.__name__: function for function in (machine, table, summary, truth, stages, plots)}
+KINDS = {function.__name__: function for function in (machine, table, summary, truth, stages, plots, variants)}
 
 
 def update(reports, page):
     def block(match):
         begin, kind, name, end = match.groups()
-        report = read_report(reports / name)
-        text = KINDS[kind](report, reports / name, page) if report else None
+        folder = reports / name
+        report = read_report(folder)
+        text = KINDS[kind](report, folder, page) if report or (kind == "variants" and folder.exists()) else None
         return match[0] if text is None else f"{begin}\n{text}\n{end}"
 
     page.write_text(BLOCK.sub(block, page.read_text()))

@@ -40,11 +40,6 @@ glm::vec2 mapDistance(const glm::vec4& rowDepth, const glm::vec4& rowW) {
   return {a, rowDepth.w - a * rowW.w};
 }
 
-float penumbraScale(const SoftShadowSettings& settings, bool parallel) {
-  if (!settings.contactHardening) return 0.0f;
-  return parallel ? std::tan(0.5f * glm::radians(settings.lightAngle)) : settings.lightRadius;
-}
-
 void fillSingly(const std::vector<glm::vec2>& points, glm::vec4* slots) {
   for (const glm::vec2 point : points) *slots++ = glm::vec4(point, 0.0f, 0.0f);
 }
@@ -75,7 +70,7 @@ params::SoftShadowsParams makeParams(const SoftShadowSettings& settings, const S
   params.shadowMapSize = inputs.shadowMap == 0 ? glm::ivec2(0) : inputs.mapSize;
   params.mapDistance = mapDistance(params.shadowDepth, params.shadowW);
   params.filterRadius = settings.filterRadius;
-  params.penumbraScale = penumbraScale(settings, isParallel(params.shadowW));
+  params.penumbraScale = settings.contactHardening ? lightExtent(settings, isParallel(params.shadowW)) : 0.0f;
   params.bias = settings.bias;
   params.sampleCount = settings.samples;
   return params;
@@ -84,6 +79,10 @@ params::SoftShadowsParams makeParams(const SoftShadowSettings& settings, const S
 }  // namespace
 
 static_assert(kMaxSoftShadowSamples == SOFT_SHADOWS_MAX_SAMPLES);
+
+float lightExtent(const SoftShadowSettings& settings, bool parallel) {
+  return parallel ? std::tan(0.5f * glm::radians(settings.lightAngle)) : settings.lightRadius;
+}
 
 struct SoftShadows::Resources {
   gl::UniformBuffer<params::SoftShadowsParams> params;

@@ -43,6 +43,10 @@ void visit(SoftShadowSettings& settings, Visitor&& visitor) {
   visitor("seed", settings.seed, SettingInfo{"", 0.0, 65535.0, "Turns the samples."});
 }
 
+/// How large the light is for PCSS: of parallel light the tangent of half its diameter in the sky, metres of
+/// penumbra for each between blocker and receiver; of a spot light its radius in metres.
+float lightExtent(const SoftShadowSettings& settings, bool parallel);
+
 /// What the host hands over each frame. render() throws std::invalid_argument for a texture that is not as
 /// told here. The shadow map stays the host's.
 struct ShadowInputs {

@@ -16,7 +16,7 @@ inline constexpr LevelTable kSsgiLevels = {
 struct SsgiSettings {
   float radius = 1.0f;     ///< metres, [0, 100]. Reach of the occlusion and of the bounce.
   int samples = 228;       ///< 8..8192. Points per pixel; a pattern of rotations multiplies them.
-  float intensity = 1.0f;  ///< [0, 4]. Multiplies the bounce.
+  float intensity = 1.0f;  ///< [0, 4]. Multiplies the bounce; above 1 energy is not conserved.
   float bias = 0.02f;      ///< share of the radius, [0, 1]. Lower rises over the tangent plane do not block.
   float maxRadiance = 8.0f;  ///< [0, 1000]. Of a lit pixel. One much brighter than the rest, met by few
                              ///< points, would show as noise; highlights are no diffuse light anyway.
@@ -29,7 +29,8 @@ void visit(SsgiSettings& settings, Visitor&& visitor) {
   visitor("radius", settings.radius,
           SettingInfo{"metres", 0.0, 100.0, "Reach of the occlusion and of the bounce."});
   visitor("samples", settings.samples, SettingInfo{"", 8.0, 8192.0, "Points per pixel."});
-  visitor("intensity", settings.intensity, SettingInfo{"", 0.0, 4.0, "Multiplies the bounce."});
+  visitor("intensity", settings.intensity,
+          SettingInfo{"", 0.0, 4.0, "Multiplies the bounce; above 1 energy is not conserved."});
   visitor("bias", settings.bias,
           SettingInfo{"radii", 0.0, 1.0, "Lower rises over the tangent plane do not block."});
   visitor("maxRadiance", settings.maxRadiance,

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "host/commands/commands.h"
-#include "host/commands/interruption.h"
-#include "host/commands/notes.h"
-#include "host/commands/parse.h"
-#include "host/commands/usage_error.h"
+#include "host/console/interruption.h"
+#include "host/console/notes.h"
+#include "host/console/parse.h"
+#include "host/console/usage_error.h"
 
 namespace host {
 namespace {

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "host/commands/commands.h"
-#include "host/commands/options.h"
+#include "host/console/options.h"
 #include "host/measure/report.h"
 #include "host/platform/gl_context.h"
 

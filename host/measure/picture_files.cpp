@@ -3,6 +3,7 @@
 #include <array>
 
 #include "host/image/crop.h"
+#include "host/measure/picture_names.h"
 
 namespace host {
 namespace {
@@ -14,22 +15,22 @@ struct PictureFile {
 };
 
 constexpr std::array<PictureFile, 9> kFiles{{
-    {"full", "full.png", &ComparisonPictures::reference},
-    {"mres", "mres.png", &ComparisonPictures::technique},
-    {"effect_full", "effect_full.png", &ComparisonPictures::referenceEffect},
-    {"effect_mres", "effect_mres.png", &ComparisonPictures::techniqueEffect},
-    {"effect_full_values", "effect_full.exr", &ComparisonPictures::referenceEffect},
-    {"effect_mres_values", "effect_mres.exr", &ComparisonPictures::techniqueEffect},
-    {"difference", "difference.png", &ComparisonPictures::difference},
-    {"edges", "edges.png", &ComparisonPictures::edges},
-    {"levels", "levels.png", &ComparisonPictures::levels},
+    {kFullPicture, "full.png", &ComparisonPictures::reference},
+    {kMresPicture, "mres.png", &ComparisonPictures::technique},
+    {kFullEffectPicture, "effect_full.png", &ComparisonPictures::referenceEffect},
+    {kMresEffectPicture, "effect_mres.png", &ComparisonPictures::techniqueEffect},
+    {kFullEffectValues, "effect_full.exr", &ComparisonPictures::referenceEffect},
+    {kMresEffectValues, "effect_mres.exr", &ComparisonPictures::techniqueEffect},
+    {kDifferencePicture, "difference.png", &ComparisonPictures::difference},
+    {kEdgesPicture, "edges.png", &ComparisonPictures::edges},
+    {kLevelsPicture, "levels.png", &ComparisonPictures::levels},
 }};
 
 constexpr std::array<PictureFile, 4> kWorstPlaceFiles{{
-    {"worst_full", "worst_full.png", &ComparisonPictures::reference},
-    {"worst_mres", "worst_mres.png", &ComparisonPictures::technique},
-    {"worst_effect_full", "worst_effect_full.png", &ComparisonPictures::referenceEffect},
-    {"worst_effect_mres", "worst_effect_mres.png", &ComparisonPictures::techniqueEffect},
+    {kWorstFullPicture, "worst_full.png", &ComparisonPictures::reference},
+    {kWorstMresPicture, "worst_mres.png", &ComparisonPictures::technique},
+    {kWorstFullEffectPicture, "worst_effect_full.png", &ComparisonPictures::referenceEffect},
+    {kWorstMresEffectPicture, "worst_effect_mres.png", &ComparisonPictures::techniqueEffect},
 }};
 
 }  // namespace
@@ -42,7 +43,7 @@ Json writePictures(const ComparisonPictures& pictures, const std::filesystem::pa
     writeImage(directory / entry.file, pictures.*entry.picture);
     names[entry.subject] = entry.file;
   }
-  names["difference_enhancement"] = kDifferenceEnhancement;
+  names[kDifferenceEnhancementName] = kDifferenceEnhancement;
   return names;
 }
 

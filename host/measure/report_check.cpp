@@ -4,6 +4,8 @@
 #include <array>
 #include <fmt/format.h>
 
+#include "host/measure/picture_names.h"
+
 namespace host {
 namespace {
 
@@ -76,7 +78,7 @@ bool isTruth(const Json& value) {
 bool isPictures(const Json& value) {
   if (!value.is_object()) return false;
   for (const auto& [subject, entry] : value.items())
-    if (!(subject == "difference_enhancement" ? isNumber(entry) : isText(entry))) return false;
+    if (!(subject == kDifferenceEnhancementName ? isNumber(entry) : isText(entry))) return false;
   return true;
 }
 

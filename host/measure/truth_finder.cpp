@@ -1,7 +1,6 @@
 #include "host/measure/truth_finder.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string_view>
 
 #include "host/truth/ray_traced.h"
@@ -58,9 +57,8 @@ PixelGrid rayGridOf(glm::ivec2 size) {
 
 LightRays lightRays(const mres::SoftShadowSettings& settings, const mres::Frame& frame,
                     const mres::ShadowInputs& shadow) {
-  const bool parallel = shadow.light.w == 0.0f;
   return {.place = glm::inverse(frame.view) * shadow.light,
-          .extent = parallel ? std::tan(glm::radians(0.5f * settings.lightAngle)) : settings.lightRadius,
+          .extent = mres::lightExtent(settings, shadow.light.w == 0.0f),
           .mapFromWorld = shadow.shadowFromView * frame.view};
 }
 

@@ -36,10 +36,14 @@ bool isEdge(const std::optional<RayHit>& a, const std::optional<RayHit>& b) {
 float edgeShare(const Hits& hits) {
   int edges = 0;
   int pairs = 0;
+  const auto compare = [&](const std::optional<RayHit>& a, const std::optional<RayHit>& b) {
+    edges += isEdge(a, b) ? 1 : 0;
+    ++pairs;
+  };
   for (int y = 0; y < kRays.y; ++y) {
     for (int x = 0; x < kRays.x; ++x) {
-      if (x + 1 < kRays.x) edges += isEdge(hits[y][x], hits[y][x + 1]) ? 1 : 0, ++pairs;
-      if (y + 1 < kRays.y) edges += isEdge(hits[y][x], hits[y + 1][x]) ? 1 : 0, ++pairs;
+      if (x + 1 < kRays.x) compare(hits[y][x], hits[y][x + 1]);
+      if (y + 1 < kRays.y) compare(hits[y][x], hits[y + 1][x]);
     }
   }
   return float(edges) / float(pairs);

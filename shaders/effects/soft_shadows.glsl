@@ -70,7 +70,7 @@ struct Disk {
     float depth;           // of the plane at the centre, less the bias
 };
 
-// From the centre of a texel to its corner.
+// From the centre of a texel to its corner, 0.71, and a margin.
 const float kTexelReach = 0.75;
 
 // How much nearer to the light than a disk's plane whatever blocks must be, in window depth; `reach` is the disk's radius in
@@ -124,8 +124,9 @@ float penumbraRadius(Receiver receiver, float azimuth) {
     }
     if (count == 0.0) return 0.0;
     float mean = sum / count;
-    // Similar triangles: parallel light from a cone of directions, or a spot light of a size.
-    float radius = mapDistance.y == 0.0 ? mean / length(shadowDepth.xyz)
+    // Similar triangles: parallel light from a cone of directions, or a spot light of a size. The disk's plane is nearer to
+    // the light than the receiver by the bias.
+    float radius = mapDistance.y == 0.0 ? (mean + receiver.depth - disk.depth) / length(shadowDepth.xyz)
                                         : max(receiver.distance - mean, 0.0) / mean;
     return min(radius * penumbraScale, filterRadius);
 }

@@ -30,6 +30,13 @@ TEST_F(Command, HelpListsEverySettingOfAReport) {
   }
 }
 
+TEST_F(Command, HelpTellsWhatEachTechniqueIs) {
+  const json info = json::parse(succeed({"info", "--json"}));
+  const std::string help = succeed({"compare", "--help"});
+  for (const json& technique : info["techniques"])
+    EXPECT_THAT(help, HasSubstr(technique.get<std::string>() + ": "));
+}
+
 TEST_F(Command, SaysItsVersion) {
   EXPECT_EQ(succeed({"--version"}), "mres " MRES_VERSION "\n");
   EXPECT_EQ(json::parse(succeed({"info", "--json"}))["version"], MRES_VERSION);

@@ -1,8 +1,10 @@
 // Options and settings do what they say.
+#include <algorithm>
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "host/image/image_file.h"
 #include "tests/cli/command_support.h"
@@ -53,8 +55,28 @@ TEST_F(Command, TheSeedChoosesThePoints) {
   EXPECT_NE(first["error"]["rms"], second["error"]["rms"]);
 }
 
-TEST_F(Command, TheShadowMapsSizeIsASetting) {
-  EXPECT_EQ(untimedComparison({"--set", "shadowMapSize=256"})["settings"]["shadowMapSize"], 256);
+/// The corner, and a small one half a metre above its floor, which casts a shadow on that.
+std::string writeSceneWithAShadow(const TemporaryFolder& folder) {
+  json scene = json::parse(readFile(writeCornerScene(folder)));
+  json& nodes = scene["nodes"];
+  scene["scenes"][0]["nodes"].push_back(nodes.size());
+  nodes.push_back({{"mesh", 0}, {"scale", {0.25, 0.25, 0.25}}, {"translation", {0.0, 0.5, 0.0}}});
+  std::string path = folder / "shadow.gltf";
+  writeFile(path, scene.dump());
+  return path;
+}
+
+TEST_F(Command, TheShadowMapsSizeShowsInTheShadows) {
+  scene_ = writeSceneWithAShadow(folder_);
+  const auto shadowsWith = [&](int size) {
+    const json result = untimedComparison(
+        {"--effect", "ssm", "--size", "160x90", "--set", "shadowMapSize=" + std::to_string(size)});
+    EXPECT_EQ(result["settings"]["shadowMapSize"], size);
+    return readImage(folder_ / "out/effect_full.exr").pixels;
+  };
+  const std::vector<float> fine = shadowsWith(2048);
+  EXPECT_LT(std::ranges::min(fine), 0.1f) << "there is no shadow";
+  EXPECT_NE(shadowsWith(64), fine);
 }
 
 TEST_F(Command, AnImportanceSaysWhereToRefine) {

@@ -14,7 +14,7 @@ def result(camera, speedup, rms, efficiency=0.5):
     return {
         "scene": "hall", "camera": camera, "camera_name": "nave", "width": 64, "height": 36, "effect": "ssao",
         "samples": 4, "reference_time_ms": {"median": 20.0}, "time_ms": {"median": 10.0}, "speedup": speedup,
-        "efficiency": efficiency, "error": {"rms": rms, "max": 0.5, "psnr": None, "ssim": 0.9}, "coverage": [0.25, 1.0], "stages_ms": {"edges": 5.0},
+        "efficiency": efficiency, "work": 0.5, "error": {"rms": rms, "max": 0.5, "psnr": None, "ssim": 0.9}, "coverage": [0.25, 1.0], "stages_ms": {"edges": 5.0},
         "truth": {"ray_traced": {"rays": 256, "reference_rms": 0.1, "rms": 0.12}},
     }
 
@@ -41,7 +41,9 @@ class UpdateResults(unittest.TestCase):
 
     def page(self, kind, report=REPORT):
         """The page after its one block was filled."""
-        (self.reports / "made-up/results.json").write_text(json.dumps(report))
+        for folder in ("made-up", "made-up/ssao", "made-up/ssao-min-max-mips"):
+            (self.reports / folder).mkdir(exist_ok=True)
+            (self.reports / folder / "results.json").write_text(json.dumps(report))
         page = self.folder / "page.md"
         page.write_text(f"Before\n<!-- begin {kind} made-up -->\nold\n<!-- end -->\nAfter\n")
         update_results.update(self.reports, page)
@@ -69,12 +71,17 @@ class UpdateResults(unittest.TestCase):
         self.assertIn("llvmpipe, 4.5, 2 cores, commit abc, 2026-01-02.\n", self.page("machine"))
         timed = REPORT | {"results": [r | {"seconds": 50.0} for r in REPORT["results"]]}
         self.assertIn("abc, 2026-01-02, 3 pictures in 2 minutes.\n", self.page("machine", timed))
+        quick = REPORT | {"results": [r | {"seconds": 20.0} for r in REPORT["results"]]}
+        self.assertIn("3 pictures in 1 minute.\n", self.page("machine", quick))
 
     def test_averages_what_is_there(self):
         self.assertIn("| ssao 4, 64×36 | 3 | 2.50 | 2.00 | 3.00 | 0.50 | 0.0200 | 0.0300 |", self.page("summary"))
         text = self.page("table")
         self.assertIn("| hall 2 (nave), 64×36, ssao 4 | – | – | – | – | – | – | – | – | 25 100 |", text)
         self.assertIn("| **mean** | **20** | **10** | **2.50** | **0.50** | **0.0200** | **0.500** | **–** | **0.9000** |  |", text)
+
+    def test_has_a_row_for_each_variant(self):
+        self.assertIn("| ssao | 3 | 2.50 | 0.500 | 0.0200 | 0.0300 |\n| ssao, min max mips | 3 |", self.page("variants"))
 
     def test_tells_how_far_both_are_from_truth(self):
         self.assertIn("| ssao 4, 64×36 | ray traced, 256 rays | 2 | 0.1000 | 0.1200 | +20.0 % |", self.page("truth"))

@@ -4,6 +4,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gmock/gmock.h>
 
+#include "host/measure/effect_instance.h"
 #include "host/renderer/shadow/shadow_fit.h"
 #include "tests/gpu/renderer_support.h"
 
@@ -22,6 +23,13 @@ Camera fromAbove(glm::vec3 target = glm::vec3(0.0f)) {
   Camera camera = lookAt("above", target + glm::vec3(0.0f, 12.0f, 0.01f), target, 40.0f);
   camera.farPlane = 50.0f;
   return camera;
+}
+
+/// The pixel, from the upper left, that shows a point of the floor.
+glm::ivec2 pixelOfFloor(const Renderer& renderer, glm::ivec2 size, float x, float z) {
+  const glm::vec4 clip = renderer.projection() * renderer.view() * glm::vec4(x, 0.0f, z, 1.0f);
+  const glm::vec2 fromUpperLeft = glm::vec2(clip.x, -clip.y) / clip.w * 0.5f + 0.5f;
+  return {fromUpperLeft * glm::vec2(size)};
 }
 
 /// Lit over unlit: 1 where the sun is seen.
@@ -176,11 +184,7 @@ TEST_F(ShadowTest, ASpotLightCastsShadowsIfThereIsNoSun) {
   const glm::ivec2 size(192, 144);
   renderer.drawGeometry(camera, size);
   const FloatImage lit = readTexture(renderer.drawLighting({}), size, 3);
-  const auto at = [&](float x, float z) {
-    const glm::vec4 clip = renderer.projection() * renderer.view() * glm::vec4(x, 0.0f, z, 1.0f);
-    const glm::vec2 fromUpperLeft = glm::vec2(clip.x, -clip.y) / clip.w * 0.5f + 0.5f;
-    return pixel(lit, glm::ivec2(fromUpperLeft * glm::vec2(size))).g;
-  };
+  const auto at = [&](float x, float z) { return pixel(lit, pixelOfFloor(renderer, size, x, z)).g; };
   EXPECT_EQ(at(0.0f, 0.8f), 0.0f);
   EXPECT_EQ(at(0.85f, 0.0f), 0.0f);
   EXPECT_GT(at(1.2f, 0.5f), 0.1f);
@@ -207,6 +211,52 @@ TEST_F(ShadowTest, MapsOfEverySizeShowTheSameShadow) {
     EXPECT_LT(at(1.7f), 0.05f) << size;
     EXPECT_GT(at(-2.0f), 0.95f) << size;
     EXPECT_GT(at(3.7f), 0.95f) << size;
+  }
+}
+
+/// A wall of 20 cm, two metres high, with the sun behind it: from x = 1 on, its shadow is two metres long.
+Scene wallInTheSun() {
+  Scene scene = darkScene();
+  addFloor(scene);
+  place(scene, cube(), chalk(),
+        glm::scale(glm::translate(glm::mat4(1.0f), {0.9f, 1.0f, 0.0f}), glm::vec3(0.1f, 1.0f, 1.0f)));
+  scene.lights.push_back(sunAlong({1.0f, -1.0f, 0.0f}, 1.0f));
+  return scene;
+}
+
+/// The least of the floor beside the shadow of wallInTheSun(), which ends at z = 1.
+float leastOfLitFloor(const FloatImage& seen, const Renderer& renderer) {
+  float least = 1.0f;
+  for (int x = -5; x <= 35; ++x) {
+    for (int z = 16; z <= 30; ++z) {
+      const glm::vec2 metres = 0.1f * glm::vec2(x, z);
+      least = std::min(least, pixel(seen, pixelOfFloor(renderer, seen.size, metres.x, metres.y)).x);
+    }
+  }
+  return least;
+}
+
+TEST_F(ShadowTest, SoftShadowsOfMapsOfEverySizeBeginAtTheContactAndLeaveThePlaneLit) {
+  const Scene scene = wallInTheSun();
+  const Camera camera = lookAt("", {2.5f, 4.0f, 6.0f}, {1.2f, 0.0f, 0.8f}, 45.0f);
+  const glm::ivec2 size(160, 120);
+  PictureSettings settings;
+  settings.effect = kSoftShadowEffect;
+  EffectInstance full(settings, mres::Technique::full, EffectInstance::Coverage::unmeasured);
+  EffectInstance mixed(settings, mres::Technique::multiResolution, EffectInstance::Coverage::unmeasured);
+  for (const int mapSize : {512, 2048, 8192}) {
+    settings.renderer.shadowMapSize = mapSize;
+    Renderer renderer(scene, profiler(), rendererSettings(settings));
+    const mres::Frame frame = frameOf(renderer, renderer.drawGeometry(camera, size), size);
+    const EffectInputs inputs = drawInputs(renderer, settings);
+    ASSERT_EQ(inputs.shadow.mapSize, glm::ivec2(mapSize));
+    for (EffectInstance* instance : {&full, &mixed}) {
+      instance->setInputs(inputs);
+      const FloatImage seen = readTexture(instance->render(frame), size, 1);
+      for (const float x : {1.05f, 1.5f, 2.5f})
+        EXPECT_LT(pixel(seen, pixelOfFloor(renderer, size, x, 0.0f)).x, 0.02f) << mapSize << " at " << x;
+      EXPECT_GT(leastOfLitFloor(seen, renderer), 0.98f) << mapSize;
+    }
   }
 }
 

@@ -1,4 +1,6 @@
 // The penumbras of soft shadows: how wide they are, and that they alone are refined.
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <gmock/gmock.h>
 #include <vector>
@@ -36,6 +38,81 @@ TEST_F(SoftShadowsTest, WithContactHardeningPenumbrasWidenWithTheBlockersDistanc
   const int far = penumbraPixels(render(blockerAt(2.0), sun, soft), kSize.y / 2);
   EXPECT_GT(near, 0);
   EXPECT_GT(far, 5 * near / 2);
+}
+
+/// Of each column.
+std::vector<double> meansOfColumns(const Image& image) {
+  std::vector<double> means(static_cast<std::size_t>(image.size.x));
+  for (int y = 0; y < image.size.y; ++y)
+    for (int x = 0; x < image.size.x; ++x)
+      means[static_cast<std::size_t>(x)] += static_cast<double>(image.at({x, y})) / image.size.y;
+  return means;
+}
+
+/// Where values that grow pass another one, in columns. Throws std::out_of_range if they begin beyond it.
+double placeOf(double value, const std::vector<double>& growing) {
+  const auto beyond = std::ranges::find_if(growing, [=](double one) { return one >= value; });
+  const auto column = static_cast<std::size_t>(beyond - growing.begin());
+  const double before = growing.at(column - 1);
+  return static_cast<double>(column) - (growing.at(column) - value) / (growing.at(column) - before);
+}
+
+/// A floor across the view, before which a caster's shadow ends at x = 0, light beyond.
+class PenumbraWidth : public SoftShadowsTest {
+ protected:
+  /// Metres on the floor from a tenth of the light to nine tenths.
+  double widthBehind(const RayCaster& caster, const SyntheticLight& light,
+                     const SoftShadowSettings& settings) {
+    constexpr float kDegrees = 20.0f;
+    const RayCaster floor = plane({0.0, 0.0, 1.0}, kFloor);
+    const SyntheticGBuffer gbuffer(kSize, perspective(kSize, kDegrees), floor);
+    const SyntheticShadow shadow(nearest({floor, caster}), light, kMapSize);
+    Unfiltered<SoftShadows> unfiltered(settings);  // a level's filter is wider than narrow penumbras
+    unfiltered.effect().setInputs(shadow.inputs());
+    multiResolution_.settings().technique = Technique::full;
+    const Image image{kSize, 1, renderPicture(multiResolution_, unfiltered, gbuffer.frame())};
+    const std::vector<double> light0to1 = meansOfColumns(image);
+    const double tangent = std::tan(glm::radians(0.5 * static_cast<double>(kDegrees)));
+    return (placeOf(0.9, light0to1) - placeOf(0.1, light0to1)) * 2.0 * tangent * -kFloor / kSize.y;
+  }
+
+  static constexpr double kFloor = -6.0;  ///< z
+  /// Light comes down at 1 to 2: across it, a length is shorter than on the floor by the cosine, 2 / sqrt(5).
+  static constexpr double kAcrossLight = 0.894427190999916;
+  /// Of a disk that an edge cuts, in radii: x sqrt(1 - x^2) + asin(x) is 0.4 pi at x = 0.687.
+  static constexpr double kTenthToNineTenths = 2.0 * 0.687;
+  static constexpr double kTolerance = 0.25;  ///< as a share
+};
+
+TEST_F(PenumbraWidth, OfASunIsThatOfItsAngle) {
+  const SyntheticLight sun = parallelLight({-1.0, 0.0, 2.0}, {0.0, 0.0, kFloor}, 3.0f);
+  const SoftShadowSettings soft{.filterRadius = 0.5f, .contactHardening = true, .lightAngle = 20.0f};
+  const auto widthAt = [&](double height) {  // of the upper side, whose edge it is that the shadow ends with
+    const RayCaster caster =
+        box({-20.0, -20.0, kFloor + height - 0.1}, {-0.5 * height, 20.0, kFloor + height});
+    return widthBehind(caster, sun, soft);
+  };
+  const auto geometric = [&](double height) {
+    const double radius = std::tan(glm::radians(10.0)) * height / kAcrossLight;
+    return kTenthToNineTenths * radius / kAcrossLight;
+  };
+  const double near = widthAt(0.4);
+  const double far = widthAt(2.1);
+  EXPECT_NEAR(near, geometric(0.4), kTolerance * geometric(0.4));
+  EXPECT_NEAR(far, geometric(2.1), kTolerance * geometric(2.1));
+  EXPECT_NEAR(far / near, 2.1 / 0.4, kTolerance * 2.1 / 0.4);
+}
+
+TEST_F(PenumbraWidth, OfALampIsThatOfItsSize) {
+  // Two metres over the floor, and the caster is half way: the penumbra is as large as the light.
+  const SyntheticLight lamp = spotLight({-1.0, 0.0, kFloor + 2.0}, {-1.0, 0.0, kFloor});
+  const RayCaster caster = box({-20.0, -20.0, kFloor + 0.98}, {-0.5, 20.0, kFloor + 1.0});
+  for (const float radius : {0.1f, 0.3f}) {
+    const double width =
+        widthBehind(caster, lamp, {.filterRadius = 1.0f, .contactHardening = true, .lightRadius = radius});
+    const double geometric = kTenthToNineTenths * static_cast<double>(radius) / kAcrossLight;
+    EXPECT_NEAR(width, geometric, kTolerance * geometric) << radius;
+  }
 }
 
 /// A floor and a wall, and casters before them: a room's own walls would shade everything.

@@ -23,7 +23,8 @@ LitPicture facingPicture(const SyntheticGBuffer& gbuffer, glm::vec3 direction, g
                          glm::vec3 elsewhere);
 
 /// Radiance that arrives at one pixel of the full resolution before any filter, in double precision: what
-/// shaders/effects/ssgi.glsl and ssgi_senders.frag say, written anew. Background gives 0.
+/// shaders/effects/ssgi.glsl and ssgi_senders.frag say, written anew. Background gives the mean of what comes
+/// from above and from below.
 class SsgiReference {
  public:
   SsgiReference(const SyntheticGBuffer& gbuffer, const LitPicture& lit, const SsgiSettings& settings,

@@ -1,6 +1,4 @@
 // The page that shows the results of `mres bench`.
-#include "host/commands/bench_page.h"
-
 #include <cstddef>
 #include <cstdlib>
 #include <filesystem>
@@ -10,10 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "host/commands/bench_plots.h"
-#include "host/commands/bench_results.h"
-#include "host/commands/bench_summary.h"
+#include "host/bench/page.h"
+#include "host/bench/plots.h"
+#include "host/bench/results.h"
+#include "host/bench/summary.h"
 #include "host/image/image_file.h"
+#include "host/measure/picture_names.h"
 #include "host/measure/report.h"
 #include "tests/unit/bench_support.h"
 
@@ -26,8 +26,8 @@ using testing::HasSubstr;
 
 /// A tiny picture under each name that a page shows.
 Json picturesIn(const fs::path& folder) {
-  Json pictures{{"difference_enhancement", 8.0}};
-  for (const char* subject : {"full", "mres", "effect_full", "effect_mres", "difference", "levels"}) {
+  Json pictures{{kDifferenceEnhancementName, 8.0}};
+  for (const char* subject : kViewPictures) {
     const std::string file = std::string(subject) + ".png";
     writeImage(folder / file, {{8, 4}, 3, std::vector<float>(8 * 4 * 3, 0.5f)});
     pictures[subject] = file;
@@ -71,8 +71,8 @@ TEST_F(Bench, ThePageShowsWorstPlacesTheWorstFirst) {
     Measurement measurement = measurementOf(camera, {64, 64}, 16);
     measurement.error->blocks.max = 0.1 + 0.1 * (camera % 2);
     if (camera < 2)
-      for (const char* subject : {"worst_full", "worst_mres", "worst_effect_full", "worst_effect_mres"})
-        measurement.pictures[subject] = picturesIn(folder_)["mres"];
+      for (const char* subject : kWorstPlacePictures)
+        measurement.pictures[subject] = picturesIn(folder_)[kMresPicture];
     results.add(measurement);
   }
   const std::string page = makePage(results.report(), {}, folder_);

@@ -1,6 +1,4 @@
 // The plots of `mres bench`.
-#include "host/commands/bench_plots.h"
-
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
@@ -9,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "host/commands/bench_results.h"
+#include "host/bench/plots.h"
+#include "host/bench/results.h"
 #include "tests/unit/bench_support.h"
 
 namespace host::test {

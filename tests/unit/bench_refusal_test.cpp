@@ -8,7 +8,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "host/commands/bench_results.h"
+#include "host/bench/results.h"
+#include "host/measure/picture_names.h"
 #include "tests/unit/bench_support.h"
 
 namespace host::test {
@@ -70,7 +71,7 @@ TEST_F(Bench, ResumingFromAFieldOfAnotherTypeIsRefused) {
                                                                 {"settings", 3},
                                                                 {"seconds", "1"},
                                                                 {"warnings", "lost"},
-                                                                {"pictures", {{"full", 3}}}})
+                                                                {"pictures", {{kFullPicture, 3}}}})
     EXPECT_THAT(refusalOf(file(), [&name = field,
                                    &broken = value](Json& report) { report["results"][0][name] = broken; }),
                 HasSubstr("has a broken '" + field + "'"));
@@ -86,8 +87,8 @@ TEST_F(Bench, PicturesAreFilesAndOneFactor) {
   const auto refusalOfPictures = [&](const Json& pictures) {
     return refusalOf(file(), [&](Json& report) { report["results"][0]["pictures"] = pictures; });
   };
-  EXPECT_EQ(refusalOfPictures({{"full", "full.png"}, {"difference_enhancement", 8.0}}), "");
-  EXPECT_THAT(refusalOfPictures({{"difference_enhancement", "8"}}), HasSubstr("pictures"));
+  EXPECT_EQ(refusalOfPictures({{kFullPicture, "full.png"}, {kDifferenceEnhancementName, 8.0}}), "");
+  EXPECT_THAT(refusalOfPictures({{kDifferenceEnhancementName, "8"}}), HasSubstr("pictures"));
 }
 
 TEST_F(Bench, ResumingFromNoJsonIsRefused) {

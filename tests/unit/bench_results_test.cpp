@@ -1,12 +1,12 @@
 // What `mres bench` keeps of its results, and what it finds of them when it resumes.
-#include "host/commands/bench_results.h"
-
 #include <filesystem>
 #include <fstream>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdexcept>
 #include <string>
 
+#include "host/bench/results.h"
 #include "tests/unit/bench_support.h"
 
 namespace host::test {
@@ -62,6 +62,13 @@ TEST_F(Bench, ResultsAreReadWhateverMeasuredThem) {
   EXPECT_THROW(readResults(folder_ / "missing.json"), std::runtime_error);
   std::ofstream(file()) << "not JSON";
   EXPECT_THROW(readResults(file()), std::runtime_error);
+}
+
+TEST(Resuming, ByABuildOfChangedFilesIsNoted) {
+  EXPECT_THAT(notesOfResuming("0123456789ab+"),
+              testing::ElementsAre(testing::HasSubstr("changed since commit 0123456789ab:")));
+  EXPECT_THAT(notesOfResuming("0123456789ab"), testing::IsEmpty());
+  EXPECT_THAT(notesOfResuming(""), testing::IsEmpty());
 }
 
 TEST_F(Bench, ResumingMeasuresAgainWhatWasNotTimed) {

@@ -1,12 +1,11 @@
 // Which scenes `mres bench --scenes` finds, and what it calls them.
-#include "host/commands/bench_scenes.h"
-
 #include <filesystem>
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdexcept>
 
+#include "host/bench/scenes.h"
 #include "tests/support/temporary_folder.h"
 
 namespace host {

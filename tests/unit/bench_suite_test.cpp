@@ -1,6 +1,4 @@
 // What the suites of `mres bench` measure, and how long that takes.
-#include "host/commands/bench_suite.h"
-
 #include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,8 +6,9 @@
 #include <set>
 #include <tuple>
 
-#include "host/commands/bench_cost.h"
-#include "host/commands/usage_error.h"
+#include "host/bench/cost.h"
+#include "host/bench/suite.h"
+#include "host/console/usage_error.h"
 #include "host/measure/picture_settings.h"
 
 namespace host {

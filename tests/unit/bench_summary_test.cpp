@@ -1,11 +1,10 @@
 // The rows and sentences that sum up the results of `mres bench`.
-#include "host/commands/bench_summary.h"
-
 #include <cstddef>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "host/commands/bench_truth_summary.h"
+#include "host/bench/summary.h"
+#include "host/bench/truth_summary.h"
 #include "host/measure/report.h"
 #include "tests/unit/bench_support.h"
 

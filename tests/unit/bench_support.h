@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "host/commands/bench_results.h"
+#include "host/bench/results.h"
 #include "host/measure/report.h"
 #include "tests/support/temporary_folder.h"
 

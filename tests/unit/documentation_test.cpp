@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "host/commands/options.h"
+#include "host/console/options.h"
 
 namespace host {
 namespace {

@@ -1,4 +1,4 @@
-#include "host/commands/memory_need.h"
+#include "host/console/memory_need.h"
 
 #include <cstdlib>
 #include <gmock/gmock.h>

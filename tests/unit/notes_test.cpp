@@ -1,4 +1,4 @@
-#include "host/commands/notes.h"
+#include "host/console/notes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "host/commands/output.h"
+#include "host/console/output.h"
 
 #include <climits>
 #include <gmock/gmock.h>

@@ -10,18 +10,20 @@
 #include <string>
 #include <vector>
 
-#include "host/commands/bench_page.h"
+#include "host/bench/page.h"
 #include "host/image/image_file.h"
-#include "tests/support/temporary_folder.h"
+#include "host/measure/picture_names.h"
+#include "tests/unit/bench_support.h"
 
-namespace host {
+namespace host::test {
 namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// What the browser is to do with the page once all pictures are loaded, and to write into its title. The
-/// log's line shows that its log is read.
+/// What the browser is to do with the page once all pictures are loaded, and to write into its title.
+/// Pictures are told apart by their blue, too: only those that are loaded have some. The log's line shows
+/// that its log is read.
 constexpr const char* kProbe = R"(<script>
 addEventListener("load", () => {
 const found = [];
@@ -40,12 +42,20 @@ view.querySelector(".split").value = 20;
 view.querySelector(".split").dispatchEvent(new Event("input"));
 found.push("then " + clip());
 const isVisible = part => part.offsetParent !== null;
+const blueOf = image => {
+  const pixels = document.createElement("canvas").getContext("2d", { willReadFrequently: true });
+  pixels.drawImage(image, 0, 0);
+  return (pixels.getImageData(32, 32, 1, 1).data[2] / 255).toFixed(1);
+};
+const legend = view.querySelector(".legend");
 const shown = () => {
-  return Array.from(stage.querySelectorAll("img")).filter(isVisible).map(image => image.alt.split(": ")[1]).join("+") +
-         (isVisible(view.querySelector(".split")) ? " with a line" : "");
+  const pictures = Array.from(stage.querySelectorAll("img")).filter(isVisible);
+  return pictures.map(image => image.alt.split(": ")[1] + " " + blueOf(image)).join("+") +
+         (isVisible(view.querySelector(".split")) ? " with a line" : "") +
+         (isVisible(legend) ? ", " + legend.textContent.replace(/\s+/g, " ") : "");
 };
 found.push(shown());
-for (const what of ["effect", "levels", "result"]) {
+for (const what of ["effect", "levels", "difference", "result"]) {
   view.querySelector("[data-show=" + what + "]").click();
   found.push(shown());
 }
@@ -100,12 +110,6 @@ FloatImage gradient(float blue) {
   return image;
 }
 
-Measurement withTruth(Measurement measurement) {
-  measurement.truths = {
-      {"converged", "samples", 4096, 1024, {.rms = 0.03, .max = 0.6}, {.rms = 0.02, .max = 0.5}}};
-  return measurement;
-}
-
 /// Of its standard output and error.
 std::string outputOf(const std::string& command) {
   const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen((command + " 2>&1").c_str(), "r"), pclose);
@@ -116,7 +120,7 @@ std::string outputOf(const std::string& command) {
   return text;
 }
 
-class PageInBrowser : public testing::Test {
+class PageInBrowser : public Bench {
  protected:
   Measurement untimed(int camera) {
     Measurement measurement;
@@ -129,14 +133,13 @@ class PageInBrowser : public testing::Test {
     measurement.settings = {{"radius", 0.5}};
     measurement.error = ErrorMetrics{};
     float blue = 0.0f;
-    for (const char* subject : {"full", "mres", "effect_full", "effect_mres", "difference", "levels"}) {
+    for (const char* subject : kViewPictures) {
+      blue += 0.1f;
       const std::string file = std::string(subject) + ".png";
       writeImage(folder_ / file, gradient(blue));
       measurement.pictures[subject] = file;
-      blue += 0.2f;
     }
-    for (const char* subject : {"worst_full", "worst_mres", "worst_effect_full", "worst_effect_mres"})
-      measurement.pictures[subject] = "mres.png";
+    for (const char* subject : kWorstPlacePictures) measurement.pictures[subject] = "mres.png";
     return measurement;
   }
 
@@ -154,9 +157,10 @@ class PageInBrowser : public testing::Test {
 
   /// The page with the probe, as the browser left it, after what the browser logged.
   std::string browse() {
-    Json report = makeReport({"llvmpipe", "4.5", 2});
-    for (const Measurement& measurement :
-         {withTruth(timed(0, 30.0)), untimed(1), timed(2, 20.0), timed(3, 100.0)})
+    Measurement withTruth = timed(0, 30.0);
+    withTruth.truths = truthsOf(0.02, 0.03);
+    Json report = makeReport(kMachine);
+    for (const Measurement& measurement : {withTruth, untimed(1), timed(2, 20.0), timed(3, 100.0)})
       report["results"].push_back(toJson(measurement));
     std::string page = makePage(report, plots(), folder_);
     page.replace(page.rfind("</body>"), std::string("</body>").size(), kProbe);
@@ -167,9 +171,6 @@ class PageInBrowser : public testing::Test {
         "--user-data-dir='" +
         (folder_ / "profile").string() + "' --dump-dom 'file://" + file.string() + "'");
   }
-
-  test::TemporaryFolder temporary_;
-  fs::path folder_ = temporary_.path();
 };
 
 TEST_F(PageInBrowser, ShowsAllComparesSortsAndLogsNothing) {
@@ -177,9 +178,11 @@ TEST_F(PageInBrowser, ShowsAllComparesSortsAndLogsNothing) {
   const std::string seen = browse();
   EXPECT_THAT(seen,
               HasSubstr("<title>right of the line 75%; then 50%, slider at 50; then 80%; "
-                        "full resolution+multi-resolution with a line; "
-                        "the effect at full resolution+the effect, multi-resolution with a line; level map; "
-                        "full resolution+multi-resolution with a line; "
+                        "full resolution 0.1+multi-resolution 0.2 with a line; "
+                        "the effect at full resolution 0.3+the effect, multi-resolution 0.4 with a line; "
+                        "level map 0.6, Red pixels were rendered at full resolution, green at half, blue at "
+                        "a quarter, black at an eighth.; difference 0.5; "
+                        "full resolution 0.1+multi-resolution 0.2 with a line; "
                         "natural width 64, less than before; ascending 2.00x 3.00x 10.00x -; "
                         "descending 10.00x 3.00x 2.00x -; places 16; broken 0; different pictures 6; Speedup "
                         "820x540, shown; "
@@ -192,4 +195,4 @@ TEST_F(PageInBrowser, ShowsAllComparesSortsAndLogsNothing) {
 }
 
 }  // namespace
-}  // namespace host
+}  // namespace host::test

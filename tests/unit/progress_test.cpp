@@ -1,4 +1,4 @@
-#include "host/commands/progress.h"
+#include "host/console/progress.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -119,11 +119,35 @@ TEST(TriangleGrid, RaysHitWhatTheyShould) {
   EXPECT_FALSE(grid.trace({0, 0, 10}, {0, 0, 1}));
 }
 
-TEST(AutomaticCameras, StandInsideOfRooms) {
-  const auto cameras = host::automaticCameras(boxScene({6, 3, 8}, true));
+/// In the middle of a picture is the front of a surface, between the clip planes.
+void expectToLookAtASurface(const host::Camera& camera, const host::TriangleGrid& grid) {
+  const auto hit = grid.trace(camera.position, camera.orientation * glm::vec3(0, 0, -1));
+  ASSERT_TRUE(hit) << camera.name;
+  EXPECT_FALSE(hit->isBackFace) << camera.name;
+  EXPECT_GT(hit->distance, camera.nearPlane) << camera.name;
+  EXPECT_LT(hit->distance, camera.farPlane) << camera.name;
+}
+
+/// Eight, of which each two are further apart than `distance` or turned away from each other.
+void expectEightDifferent(const std::vector<host::Camera>& cameras, float distance) {
+  EXPECT_EQ(cameras.size(), 8U);
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const bool elsewhere = glm::distance(cameras[i].position, cameras[j].position) > distance;
+      const bool turned = std::abs(glm::dot(cameras[i].orientation, cameras[j].orientation)) < 0.97f;
+      EXPECT_TRUE(elsewhere || turned) << i << " and " << j;
+    }
+  }
+}
+
+TEST(AutomaticCameras, StandInsideOfRoomsAndLookAtTheirWalls) {
+  const host::Scene room = boxScene({6, 3, 8}, true);
+  const host::TriangleGrid grid(room);
+  const auto cameras = host::automaticCameras(room);
   ASSERT_EQ(cameras.size(), 8U);
   for (const host::Camera& camera : cameras) {
     EXPECT_TRUE(glm::all(glm::lessThan(glm::abs(camera.position), glm::vec3(3, 1.5f, 4)))) << camera.name;
+    expectToLookAtASurface(camera, grid);
   }
 }
 
@@ -133,24 +157,20 @@ TEST(AutomaticCameras, LookAtObjectsFromOutsideWhateverTheirSize) {
     const host::TriangleGrid grid(scene);
     const auto cameras = host::automaticCameras(scene);
     ASSERT_EQ(cameras.size(), 8U);
-    for (const host::Camera& camera : cameras) {
-      const auto hit = grid.trace(camera.position, camera.orientation * glm::vec3(0, 0, -1));
-      ASSERT_TRUE(hit) << camera.name;
-      EXPECT_FALSE(hit->isBackFace) << camera.name;
-      EXPECT_GT(hit->distance, camera.nearPlane) << camera.name;
-      EXPECT_LT(hit->distance, camera.farPlane) << camera.name;
-    }
+    for (const host::Camera& camera : cameras) expectToLookAtASurface(camera, grid);
   }
 }
 
-TEST(AutomaticCameras, DifferFromEachOther) {
-  const auto cameras = host::automaticCameras(boxScene({6, 3, 8}, true));
-  for (std::size_t i = 0; i < cameras.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const bool elsewhere = glm::distance(cameras[i].position, cameras[j].position) > 0.3f;
-      const bool turned = std::abs(glm::dot(cameras[i].orientation, cameras[j].orientation)) < 0.97f;
-      EXPECT_TRUE(elsewhere || turned) << i << " and " << j;
-    }
+TEST(AutomaticCameras, DifferFromEachOtherInsideOfRooms) {
+  expectEightDifferent(host::automaticCameras(boxScene({6, 3, 8}, true)), 0.3f);
+}
+
+/// Of a point all views are of nothing: there it is enough that no two are the same.
+TEST(AutomaticCameras, DifferFromEachOtherAroundObjectsAndFlatThingsAndPoints) {
+  for (const glm::vec3 size :
+       {glm::vec3(0.1f), glm::vec3(1.0f), glm::vec3(220.0f), glm::vec3(4.0f, 0.0f, 4.0f), glm::vec3(0.0f)}) {
+    SCOPED_TRACE(testing::Message() << size.x << " x " << size.y << " x " << size.z);
+    expectEightDifferent(host::automaticCameras(boxScene(size, false)), 0.03f * glm::length(size));
   }
 }
 

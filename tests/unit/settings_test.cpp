@@ -1,9 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "host/commands/parse.h"
-#include "host/commands/settings_table.h"
-#include "host/commands/usage_error.h"
+#include "host/console/parse.h"
+#include "host/console/settings_table.h"
+#include "host/console/usage_error.h"
 
 namespace host {
 namespace {

@@ -1,4 +1,4 @@
-#include "host/commands/time_left.h"
+#include "host/bench/time_left.h"
 
 #include <gtest/gtest.h>
 

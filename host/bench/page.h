@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host/bench/plots.h"
+#include "host/measure/report.h"
+
+namespace host {
+
+/// A file of report_page/, embedded.
+struct PageFile {
+  std::string_view name;
+  std::string_view text;
+};
+
+/// The report as a web page that needs no other file: summary, plots, pictures, table and settings. `plots`,
+/// and the pictures that the report names, are relative to `folder`; of pictures that are gone, nothing is
+/// shown.
+std::string makePage(const Json& report, const std::vector<Plot>& plots, const std::filesystem::path& folder);
+
+}  // namespace host
