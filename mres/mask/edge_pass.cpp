@@ -3,8 +3,6 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
-#include "mres/plan/level_plan.h"
-
 namespace mres {
 namespace {
 
@@ -24,7 +22,8 @@ params::EdgesParams edgesParams(const MaskSettings& settings, const params::Fram
 }
 
 EdgePass::EdgePass(const gl::ShaderLibrary& library)
-    : program_(makePassProgram(library, "mres/edges.frag")) {}
+    : program_(makePassProgram(library, "mres/edges.frag")),
+      foldsProgram_(makePassProgram(library, "mres/folds.frag")) {}
 
 void EdgePass::draw(PassContext& context, const MaskSettings& settings, const params::FrameParams& frame) {
   const gl::Scope scope(context.profiler, "mres.edges");
@@ -36,6 +35,29 @@ void EdgePass::draw(PassContext& context, const MaskSettings& settings, const pa
   glUseProgram(program_.id());
   target_.bind();
   context.triangle.draw();
+}
+
+void EdgePass::drawFolds(PassContext& context, int level, glm::ivec2 fullSize) {
+  const gl::Scope scope(context.profiler, "mres.edges");
+  gl::RenderTarget& target = folds_.at(slot(level));
+  const glm::ivec2 size = levelSize(fullSize, level + 1);
+  if (target.size() != size) target = gl::RenderTarget(size, {GL_R8}, 0, "mres.edges");
+
+  params_.bind(kPassBlock);
+  glUseProgram(foldsProgram_.id());
+  target.bind();
+  context.triangle.draw();
+}
+
+void EdgePass::fill(float value) const {
+  target_.fill(value);
+  for (const gl::RenderTarget& target : folds_) target.fill(value);
+}
+
+std::size_t EdgePass::bytes() const {
+  std::size_t sum = target_.bytes();
+  for (const gl::RenderTarget& target : folds_) sum += target.bytes();
+  return sum;
 }
 
 }  // namespace mres

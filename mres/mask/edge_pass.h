@@ -1,8 +1,11 @@
 #pragma once
 
+#include <array>
+
 #include "mres/gl/render_target.h"
 #include "mres/gl/uniform_buffer.h"
 #include "mres/level/pass_context.h"
+#include "mres/plan/level_plan.h"
 #include "mres/settings.h"
 #include "shaders/mres/edges_params.h"
 #include "shaders/mres/frame_params.h"
@@ -13,7 +16,7 @@ namespace mres {
 params::EdgesParams edgesParams(const MaskSettings& settings, const params::FrameParams& frame);
 
 /// Finds the geometry edges of a frame: red normals, green depth, at half resolution (section 3.1 of the
-/// paper).
+/// paper), and folds, which show at the scale of coarser levels alone.
 class EdgePass {
  public:
   explicit EdgePass(const gl::ShaderLibrary& library);
@@ -21,15 +24,25 @@ class EdgePass {
   /// Needs depth and normals bound to their units and the frame's block bound.
   void draw(PassContext& context, const MaskSettings& settings, const params::FrameParams& frame);
 
+  /// After draw(): where normals turn between the pixels of the next coarser level. Needs the level's block
+  /// bound, too.
+  void drawFolds(PassContext& context, int level, glm::ivec2 fullSize);
+
   /// GL_RG8, ceil(size / 2).
   [[nodiscard]] const gl::Texture2D& edges() const { return target_.color(); }
-  void fill(float value) const { target_.fill(value); }
-  [[nodiscard]] std::size_t bytes() const { return target_.bytes(); }
+  /// GL_R8, the size of level + 1; from drawFolds().
+  [[nodiscard]] const gl::Texture2D& folds(int level) const { return folds_.at(slot(level)).color(); }
+  void fill(float value) const;
+  [[nodiscard]] std::size_t bytes() const;
 
  private:
+  static std::size_t slot(int level) { return static_cast<std::size_t>(level); }
+
   gl::Program program_;
+  gl::Program foldsProgram_;
   gl::UniformBuffer<params::EdgesParams> params_;
   gl::RenderTarget target_;
+  std::array<gl::RenderTarget, kMaxLevels - 1> folds_;
 };
 
 }  // namespace mres

@@ -23,6 +23,16 @@ EdgeImages drawEdges(const PlannedFrame& planned, const params::FrameParams& par
   return edges;
 }
 
+/// What only shows at the scale of a coarser level. Null: nothing, as in the paper.
+const gl::Texture2D* drawEdgesOfLevel(const PlannedFrame& planned, std::size_t index) {
+  const PlannedLevel& level = planned.level(index);
+  if (planned.settings.mask.minMaxMips) return &planned.shared.minMax.edges(level.index);
+  if (planned.isByMasks()) return nullptr;
+  planned.targets(index).params().bind(kLevelBlock);
+  planned.shared.edges.drawFolds(planned.context, level.index, planned.level(0).size);
+  return &planned.shared.edges.folds(level.index);
+}
+
 MaskSources maskSources(const PlannedFrame& planned, const EdgeImages& edges, const Frame& frame) {
   const MaskSettings& settings = planned.settings.mask;
   const auto combined = [&](int level, const gl::Texture2D& image) {
@@ -30,10 +40,11 @@ MaskSources maskSources(const PlannedFrame& planned, const EdgeImages& edges, co
     return &planned.shared.importance.draw(planned.context, settings.combination, level, image, frame);
   };
   MaskSources sources{.edges = combined(0, edges.effect != nullptr ? *edges.effect : *edges.geometry)};
-  if (!settings.minMaxMips || edges.geometry == nullptr) return sources;
+  if (edges.geometry == nullptr) return sources;
   for (std::size_t i = 1; !planned.isCoarsest(i); ++i) {
     const int level = planned.level(i).index;
-    sources.joined.at(static_cast<std::size_t>(level)) = combined(level, planned.shared.minMax.edges(level));
+    if (const gl::Texture2D* image = drawEdgesOfLevel(planned, i))
+      sources.joined.at(static_cast<std::size_t>(level)) = combined(level, *image);
   }
   return sources;
 }

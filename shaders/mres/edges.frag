@@ -6,16 +6,12 @@
 // orthographic), so that a plane seen at any angle is exactly zero. It becomes metres between the nearest and the
 // farthest surface around.
 #include "mres/depth_step.glsl"
+#include "mres/normal_step.glsl"
 
 out vec2 fragment;
 
 float depthAt(ivec2 pixel) {
     return texelFetch(depthTexture, pixel, 0).r;
-}
-
-// As it is encoded: differences of it are differences of normals but for a factor.
-vec3 normalAt(ivec2 pixel) {
-    return texelFetch(normalTexture, clamp(pixel, ivec2(0), size - 1), 0).xyz;
 }
 
 float secondDifference(float before, float here, float after) {
@@ -25,11 +21,6 @@ float secondDifference(float before, float here, float after) {
 // The two second differences of four pixels in a row.
 float bend(float a, float b, float c, float d) {
     return max(secondDifference(a, b, c), secondDifference(b, c, d));
-}
-
-bool isNormalEdge(vec3 a, vec3 b) {
-    vec3 difference = a - b;
-    return dot(difference, difference) > normalDifference2;
 }
 
 // Pixels at the border lack a neighbour, and so a second derivative: there the 4x4 pixels are moved inside.
@@ -53,15 +44,19 @@ bool hasDepthEdge(ivec2 texelCorner, out bool background) {
 }
 
 bool hasNormalEdge(ivec2 corner) {
-    vec3 n00 = normalAt(corner);
-    vec3 n10 = normalAt(corner + ivec2(1, 0));
-    vec3 n01 = normalAt(corner + ivec2(0, 1));
-    vec3 n11 = normalAt(corner + ivec2(1, 1));
-    return isNormalEdge(n00, n10) || isNormalEdge(n01, n11) || isNormalEdge(n00, n01) || isNormalEdge(n10, n11) ||
-           isNormalEdge(n10, normalAt(corner + ivec2(2, 0))) || isNormalEdge(n11, normalAt(corner + ivec2(2, 1))) ||
-           isNormalEdge(n01, normalAt(corner + ivec2(0, 2))) || isNormalEdge(n11, normalAt(corner + ivec2(1, 2))) ||
-           isNormalEdge(n00, normalAt(corner + ivec2(-1, 0))) || isNormalEdge(n01, normalAt(corner + ivec2(-1, 1))) ||
-           isNormalEdge(n00, normalAt(corner + ivec2(0, -1))) || isNormalEdge(n10, normalAt(corner + ivec2(1, -1)));
+    vec3 n00 = encodedNormal(corner);
+    vec3 n10 = encodedNormal(corner + ivec2(1, 0));
+    vec3 n01 = encodedNormal(corner + ivec2(0, 1));
+    vec3 n11 = encodedNormal(corner + ivec2(1, 1));
+    return isNormalStep(n00, n10) || isNormalStep(n01, n11) || isNormalStep(n00, n01) || isNormalStep(n10, n11) ||
+           isNormalStep(n10, encodedNormal(corner + ivec2(2, 0))) ||
+           isNormalStep(n11, encodedNormal(corner + ivec2(2, 1))) ||
+           isNormalStep(n01, encodedNormal(corner + ivec2(0, 2))) ||
+           isNormalStep(n11, encodedNormal(corner + ivec2(1, 2))) ||
+           isNormalStep(n00, encodedNormal(corner + ivec2(-1, 0))) ||
+           isNormalStep(n01, encodedNormal(corner + ivec2(-1, 1))) ||
+           isNormalStep(n00, encodedNormal(corner + ivec2(0, -1))) ||
+           isNormalStep(n10, encodedNormal(corner + ivec2(1, -1)));
 }
 
 void main() {

@@ -128,7 +128,7 @@ class Progressive : public GlTest {
  protected:
   std::vector<Image> edgesOf(const Frame& frame, const LevelPlan& plan) {
     static_cast<void>(bench_.edges(frame));
-    return bench_.masks(plan);
+    return bench_.masksWithFolds(plan);
   }
 
   MaskBench bench_;

@@ -119,7 +119,8 @@ class SoftShadowReference {
     const glm::dvec3 near = positionOf(glm::dvec3(place, 0.0));
     const glm::dvec3 far = positionOf(glm::dvec3(place, 1.0));
     const auto onPlaneThrough = [&](glm::dvec3 point) {
-      return glm::mix(near, far, glm::dot(point - near, receiver.normal) / glm::dot(far - near, receiver.normal));
+      return glm::mix(near, far,
+                      glm::dot(point - near, receiver.normal) / glm::dot(far - near, receiver.normal));
     };
     const glm::dvec3 onRaised = onPlaneThrough(receiver.position + rise * receiver.normal);
     const double depth = shadow_.depth(texel);

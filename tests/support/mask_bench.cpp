@@ -4,6 +4,7 @@
 
 #include "mres/level/frame_params.h"
 #include "mres/level/frame_textures.h"
+#include "mres/level/level_targets.h"
 #include "tests/support/gl_test.h"
 #include "tests/support/glsl_function.h"
 
@@ -45,6 +46,7 @@ double largestIn(const Image& image, glm::dvec2 low, glm::dvec2 high, int sample
 MaskBench::MaskBench() : context_(makeContext()), edgePass_(context_.library), maskPass_(context_.library) {}
 
 Image MaskBench::edges(const Frame& frame, const MaskSettings& settings) {
+  frame_ = frame;
   params::FrameParams params = frameParams(frame);
   params.depthRounding = depthRounding(bindFrameTextures(context_, frame));
   frameBlock_.upload(params);
@@ -53,8 +55,30 @@ Image MaskBench::edges(const Frame& frame, const MaskSettings& settings) {
   return readImage(edgePass_.edges(), 2);
 }
 
+Image MaskBench::folds(const PlannedLevel& level, glm::ivec2 fullSize) {
+  static_cast<void>(bindFrameTextures(context_, frame_));  // reading a picture binds another
+  levelBlock_.upload(levelParams({level, nullptr, false}, fullSize, 0.0f));
+  levelBlock_.bind(kLevelBlock);
+  edgePass_.drawFolds(context_, level.index, fullSize);
+  return readImage(edgePass_.folds(level.index), 1);
+}
+
 std::vector<Image> MaskBench::masks(const gl::Texture2D& edges, const LevelPlan& plan) {
-  maskPass_.drawEdges(context_, {.edges = &edges}, plan);
+  return masksOf({.edges = &edges}, plan);
+}
+
+std::vector<Image> MaskBench::masksWithFolds(const LevelPlan& plan) {
+  MaskSources sources{.edges = &edgePass_.edges()};
+  for (std::size_t i = 1; i + 1 < plan.levels.size(); ++i) {
+    const PlannedLevel& level = plan.levels[i];
+    static_cast<void>(folds(level, plan.levels.front().size));
+    sources.joined.at(static_cast<std::size_t>(level.index)) = &edgePass_.folds(level.index);
+  }
+  return masksOf(sources, plan);
+}
+
+std::vector<Image> MaskBench::masksOf(const MaskSources& sources, const LevelPlan& plan) {
+  maskPass_.drawEdges(context_, sources, plan);
   maskPass_.drawBlurred(context_, plan);
   std::vector<Image> images;
   for (std::size_t i = 0; i + 1 < plan.levels.size(); ++i) {

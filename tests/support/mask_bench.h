@@ -8,6 +8,7 @@
 #include "mres/mask/edge_pass.h"
 #include "mres/mask/mask_pass.h"
 #include "mres/plan/level_plan.h"
+#include "shaders/mres/level_params.h"
 #include "tests/support/pictures.h"
 
 namespace mres::test {
@@ -28,16 +29,25 @@ class MaskBench {
   /// The edge image: channel 0 normals, channel 1 depth.
   Image edges(const Frame& frame, const MaskSettings& settings = {});
 
+  /// After edges(): where normals turn at the scale of a level.
+  Image folds(const PlannedLevel& level, glm::ivec2 fullSize);
+
   /// The masks of a plan's levels but the last, from an edge image in a texture or from the last edges().
   std::vector<Image> masks(const gl::Texture2D& edges, const LevelPlan& plan);
   std::vector<Image> masks(const LevelPlan& plan) { return masks(edgePass_.edges(), plan); }
+  /// From the last edges() and the folds of each level.
+  std::vector<Image> masksWithFolds(const LevelPlan& plan);
   /// Of the last masks(), and the edges that it was made of.
   [[nodiscard]] const gl::Texture2D& mask(int level) const { return maskPass_.blurred(level); }
   [[nodiscard]] const gl::Texture2D& edges(int level) const { return maskPass_.edges(level); }
 
  private:
+  std::vector<Image> masksOf(const MaskSources& sources, const LevelPlan& plan);
+
   PassContext context_;
+  Frame frame_;  // of the last edges()
   gl::UniformBuffer<params::FrameParams> frameBlock_;
+  gl::UniformBuffer<params::LevelParams> levelBlock_;
   EdgePass edgePass_;
   MaskPass maskPass_;
 };
