@@ -130,13 +130,14 @@ def truth(report, _folder, _page):
     return markdown(rows)
 
 
-def variants(_report, folder, _page):
-    """One row a report below the folder, in the order of their names."""
+def variants(_report, folder, page):
+    """One row a report below the folder, in the order of their names, all of one commit."""
     reports = [(variant.name, read_report(variant)) for variant in sorted(folder.iterdir())]
+    reports = [(name, report) for name, report in reports if report]
+    if len({report.get("commit") for _, report in reports}) > 1:
+        sys.exit(f"update_results: the reports below '{folder}' are of several commits; remove the folder and measure anew.")
     rows = [["effect, variant", "views", "speedup", "work", "RMS", "greatest"]]
     for name, report in reports:
-        if not report:
-            continue
         effect, *words = name.split("-")
         results = report["results"]
         errors = [field(r, ("error", "rms")) for r in results]
@@ -144,7 +145,7 @@ def variants(_report, folder, _page):
         rows.append([f"{effect}, {' '.join(words)}" if words else effect, str(len(results))]
                     + [cell(overall(statistics.mean, [field(r, (name,)) for r in results]), form) for name, form in means]
                     + [cell(overall(figure, errors), "{:.4f}") for figure in (statistics.mean, max)])
-    return markdown(rows) if len(rows) > 1 else None
+    return machine(reports[0][1] | {"results": []}, folder, page) + "\n" + markdown(rows) if reports else None
 
 
 def stages(report, _folder, _page):

@@ -21,7 +21,8 @@ struct Options {
 
 /// What debugView() shows, as RGBA8 pictures of the full resolution.
 enum class DebugView {
-  edges,  ///< red normals, green depth, blue the effect's own (soft shadows)
+  edges,  ///< red normals, green depth, blue the effect's own (soft shadows); folds, edges of coarse levels
+          ///< alone, are not shown
   levels  ///< the finest level that renders each pixel: red full, green half, blue quarter, black eighth
 };
 

@@ -25,10 +25,11 @@ enum MaskCombination : int {
   kCombineByMinimum   ///< refine only where both say
 };
 
-/// Where a level is refined. Edge thresholds are on the surface, not on pixels, so that they mean the same at
+/// Where a level is refined. Steps in depth are on the surface, not on pixels, so that they mean the same at
 /// every resolution and field of view.
 struct MaskSettings {
-  float normalThreshold = 20.0f;  ///< degrees, [0, 180]. Neighbours' normals further apart are an edge.
+  float normalThreshold = 20.0f;  ///< degrees, [0, 180]. Neighbours' normals further apart are an edge: of
+                                  ///< pixels and, for a level, of pixels of the next coarser one.
   float depthThreshold = 0.05f;   ///< metres, [0, 100]. Larger steps in depth, off a plane, are an edge.
   float refineThreshold = 0.08f;  ///< [0, 1]. Least gain worth refining: a difference or, of radiances,
                                   ///< Michelson's contrast (0.08: a ratio of 1.17); 0: edges alone.

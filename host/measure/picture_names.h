@@ -1,8 +1,5 @@
-// What the pictures of a comparison show, as reports (report.h) and the page of `mres bench`
-// (bench/report_page/page.html) call them.
+// What the pictures of a comparison show, as reports (report.h) call them.
 #pragma once
-
-#include <array>
 
 namespace host {
 
@@ -24,11 +21,5 @@ inline constexpr const char* kWorstFullPicture = "worst_full";
 inline constexpr const char* kWorstMresPicture = "worst_mres";
 inline constexpr const char* kWorstFullEffectPicture = "worst_effect_full";
 inline constexpr const char* kWorstMresEffectPicture = "worst_effect_mres";
-
-/// Those that the page shows of a view, and of a worst place.
-inline constexpr std::array kViewPictures{kFullPicture,       kMresPicture,       kFullEffectPicture,
-                                          kMresEffectPicture, kDifferencePicture, kLevelsPicture};
-inline constexpr std::array kWorstPlacePictures{kWorstFullPicture, kWorstMresPicture, kWorstFullEffectPicture,
-                                                kWorstMresEffectPicture};
 
 }  // namespace host

@@ -37,7 +37,7 @@ void EdgePass::draw(PassContext& context, const MaskSettings& settings, const pa
   context.triangle.draw();
 }
 
-void EdgePass::drawFolds(PassContext& context, int level, glm::ivec2 fullSize) {
+void EdgePass::drawFolds(PassContext& context, int level, int coarser, glm::ivec2 fullSize) {
   const gl::Scope scope(context.profiler, "mres.edges");
   gl::RenderTarget& target = folds_.at(slot(level));
   const glm::ivec2 size = levelSize(fullSize, level + 1);
@@ -45,6 +45,8 @@ void EdgePass::drawFolds(PassContext& context, int level, glm::ivec2 fullSize) {
 
   params_.bind(kPassBlock);
   glUseProgram(foldsProgram_.id());
+  glUniform1i(foldsProgram_.uniformLocation("texelStride"), 2 << level);
+  glUniform1i(foldsProgram_.uniformLocation("coarserStride"), 1 << coarser);
   target.bind();
   context.triangle.draw();
 }

@@ -24,9 +24,8 @@ class EdgePass {
   /// Needs depth and normals bound to their units and the frame's block bound.
   void draw(PassContext& context, const MaskSettings& settings, const params::FrameParams& frame);
 
-  /// After draw(): where normals turn between the pixels of the next coarser level. Needs the level's block
-  /// bound, too.
-  void drawFolds(PassContext& context, int level, glm::ivec2 fullSize);
+  /// After draw(): where normals turn between the pixels of `coarser`, the next coarser level of the plan.
+  void drawFolds(PassContext& context, int level, int coarser, glm::ivec2 fullSize);
 
   /// GL_RG8, ceil(size / 2).
   [[nodiscard]] const gl::Texture2D& edges() const { return target_.color(); }

@@ -28,8 +28,8 @@ const gl::Texture2D* drawEdgesOfLevel(const PlannedFrame& planned, std::size_t i
   const PlannedLevel& level = planned.level(index);
   if (planned.settings.mask.minMaxMips) return &planned.shared.minMax.edges(level.index);
   if (planned.isByMasks()) return nullptr;
-  planned.targets(index).params().bind(kLevelBlock);
-  planned.shared.edges.drawFolds(planned.context, level.index, planned.level(0).size);
+  planned.shared.edges.drawFolds(planned.context, level.index, planned.level(index + 1).index,
+                                 planned.level(0).size);
   return &planned.shared.edges.folds(level.index);
 }
 

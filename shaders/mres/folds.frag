@@ -1,9 +1,10 @@
 #version 330 core
 // Where normals turn from one pixel of the next coarser level to the next, though from one pixel of the full resolution to
-// the next they may not: folds, which are smooth but too narrow for that level. At the resolution of the level's mask, a
-// texel of which is a pixel of the next coarser level.
-#include "mres/level_params.h"
+// the next they may not: folds, which are smooth but too narrow for that level. At the resolution of the level's mask.
 #include "mres/normal_step.glsl"
+
+uniform int texelStride;    // full-resolution pixels per texel of the mask
+uniform int coarserStride;  // and per pixel of the next coarser level
 
 out float fragment;
 
@@ -17,9 +18,8 @@ bool turnsTowards(ivec2 pixel, ivec2 neighbour) {
 }
 
 void main() {
-    int stride = 2 * levelStride;
-    ivec2 pixel = min(ivec2(gl_FragCoord.xy) * stride + levelStride, size - 1);
-    ivec2 alongX = ivec2(stride, 0), alongY = ivec2(0, stride);
+    ivec2 pixel = min(ivec2(gl_FragCoord.xy) * texelStride + (texelStride >> 1), size - 1);
+    ivec2 alongX = ivec2(coarserStride, 0), alongY = ivec2(0, coarserStride);
     bool turns = turnsTowards(pixel, pixel + alongX) || turnsTowards(pixel, pixel - alongX) ||
                  turnsTowards(pixel, pixel + alongY) || turnsTowards(pixel, pixel - alongY);
     fragment = float(turns && isSurface(pixel));

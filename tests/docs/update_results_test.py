@@ -83,6 +83,13 @@ class UpdateResults(unittest.TestCase):
     def test_has_a_row_for_each_variant(self):
         self.assertIn("| ssao | 3 | 2.50 | 0.500 | 0.0200 | 0.0300 |\n| ssao, min max mips | 3 |", self.page("variants"))
 
+    def test_refuses_variants_of_several_commits(self):
+        self.page("variants")
+        report = self.reports / "made-up/ssao/results.json"
+        report.write_text(json.dumps(REPORT | {"commit": "other"}))
+        with self.assertRaisesRegex(SystemExit, "several commits"):
+            update_results.update(self.reports, self.folder / "page.md")
+
     def test_tells_how_far_both_are_from_truth(self):
         self.assertIn("| ssao 4, 64×36 | ray traced, 256 rays | 2 | 0.1000 | 0.1200 | +20.0 % |", self.page("truth"))
 

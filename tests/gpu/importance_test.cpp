@@ -142,16 +142,31 @@ TEST_F(Importance, CostsNothingWhereThereIsNone) {
   EXPECT_EQ(renderPicture(multiResolution_, effect, room_.frame()), without);
 }
 
+TEST_F(Importance, ByMinimumLimitsWhatFoldsRefine) {
+  const SyntheticGBuffer folded(size_, perspective(size_), curtain(5.0, 1.5, 40.0));
+  TestEffect effect(levelNumbers());
+  multiResolution_.settings() = {};
+  multiResolution_.settings().mask.refineThreshold = 0.0f;
+  multiResolution_.settings().mask.combination = kCombineByMinimum;
+  EXPECT_THAT(picture(effect, folded, nothing_).texels, testing::Each(kCoarsest));
+  const Picture byFolds = renderPicture(multiResolution_, effect, folded.frame());
+  EXPECT_THAT(byFolds, testing::Not(testing::Each(kCoarsest)));
+  EXPECT_EQ(picture(effect, folded, everything_).texels, byFolds);
+}
+
 TEST_F(Importance, BringsNothingUndefinedIntoThePictureNorAllocates) {
   TestEffect effect({.body = "return vec4(fract(surface.position.x));", .filtered = true});
-  const Picture clean = picture(effect, room_, leftHalf_).texels;
-  multiResolution_.fillTargets(std::numeric_limits<float>::quiet_NaN());
-  EXPECT_EQ(picture(effect, room_, leftHalf_).texels, clean);
   Frame frame = room_.frame();
   frame.importance = leftHalf_.id();
-  const AllocationCounter allocations;
-  multiResolution_.render(effect, frame);
-  EXPECT_EQ(allocations.count(), 0u);
+  for (const Technique technique : {Technique::paper, Technique::multiResolution}) {
+    multiResolution_.settings().technique = technique;
+    const Picture clean = renderPicture(multiResolution_, effect, frame);
+    multiResolution_.fillTargets(std::numeric_limits<float>::quiet_NaN());
+    EXPECT_EQ(renderPicture(multiResolution_, effect, frame), clean);
+    const AllocationCounter allocations;
+    multiResolution_.render(effect, frame);
+    EXPECT_EQ(allocations.count(), 0u);
+  }
 }
 
 TEST_F(Importance, LeavesTheHostsStateAlone) {

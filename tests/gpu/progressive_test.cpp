@@ -220,6 +220,25 @@ TEST_F(Progressive, ALineOfOnePixelsWidthIsWholeWhereverItLies) {
   }
 }
 
+TEST_F(Progressive, FoldsTooNarrowForTheCoarsestLevelAreRefinedWhateverItShows) {
+  const glm::ivec2 size(256, 192);
+  const SyntheticGBuffer gbuffer(size, perspective(size), curtain(5.0, 1.0, 40.0));
+  TestEffect effect({.body = "return vec4(0.37);", .levels = unblurred(15)});
+  for (const Technique technique : {Technique::multiResolution, Technique::paper}) {
+    MultiResolution multiResolution({.measureCoverage = true});
+    multiResolution.settings().technique = technique;
+    for (int frame = 0; frame < 2; ++frame) {
+      multiResolution.render(effect, gbuffer.frame());
+      glFinish();
+    }
+    const auto& levels = multiResolution.report().levels;
+    const bool hasFolds = technique == Technique::multiResolution;
+    EXPECT_EQ(levels[0].coverage, 0.0) << "pixel by pixel it is smooth";
+    EXPECT_EQ(levels[1].coverage > 0.5, hasFolds);
+    EXPECT_EQ(levels[2].coverage > 0.5, hasFolds);
+  }
+}
+
 TEST_F(Progressive, WithAThresholdOfZeroEdgesAloneDecide) {
   const glm::ivec2 size(192, 128);
   const SyntheticGBuffer gbuffer(size, perspective(size), room());

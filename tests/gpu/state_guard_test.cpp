@@ -72,13 +72,13 @@ TEST_F(StateGuardTest, EveryEffectLeavesAllStateAloneWhateverItsMasks) {
   const std::vector<float> half(12, 0.5f);
   const gl::Texture2D importance(GL_R32F, {4, 3}, "importance", 1, half.data());
   const gl::Texture2D lit(GL_RGBA16F, kSize, "lit", 1, nullptr);
-  for (const bool alternative : {false, true}) {
+  const MaskSettings geometry{.geometryAlways = true};
+  const MaskSettings compared{.geometryAlways = true, .minMaxMips = true, .disjoint = true};
+  for (const MaskSettings& mask : {MaskSettings(), geometry, compared}) {
     MultiResolution multiResolution;
-    multiResolution.settings().mask.minMaxMips = alternative;
-    multiResolution.settings().mask.disjoint = alternative;
-    multiResolution.settings().mask.geometryAlways = alternative;
+    multiResolution.settings().mask = mask;
     Frame frame = gbuffer_.frame();
-    frame.importance = alternative ? importance.id() : 0;
+    frame.importance = mask.geometryAlways ? importance.id() : 0;
     std::optional<SoftShadows> softShadows;
     std::optional<Ssgi> ssgi;
     expectNothingChanges("constructor of soft shadows",

@@ -4,7 +4,6 @@
 
 #include "mres/level/frame_params.h"
 #include "mres/level/frame_textures.h"
-#include "mres/level/level_targets.h"
 #include "tests/support/gl_test.h"
 #include "tests/support/glsl_function.h"
 
@@ -55,12 +54,10 @@ Image MaskBench::edges(const Frame& frame, const MaskSettings& settings) {
   return readImage(edgePass_.edges(), 2);
 }
 
-Image MaskBench::folds(const PlannedLevel& level, glm::ivec2 fullSize) {
+Image MaskBench::folds(int level, int coarser, glm::ivec2 fullSize) {
   static_cast<void>(bindFrameTextures(context_, frame_));  // reading a picture binds another
-  levelBlock_.upload(levelParams({level, nullptr, false}, fullSize, 0.0f));
-  levelBlock_.bind(kLevelBlock);
-  edgePass_.drawFolds(context_, level.index, fullSize);
-  return readImage(edgePass_.folds(level.index), 1);
+  edgePass_.drawFolds(context_, level, coarser, fullSize);
+  return readImage(edgePass_.folds(level), 1);
 }
 
 std::vector<Image> MaskBench::masks(const gl::Texture2D& edges, const LevelPlan& plan) {
@@ -70,9 +67,9 @@ std::vector<Image> MaskBench::masks(const gl::Texture2D& edges, const LevelPlan&
 std::vector<Image> MaskBench::masksWithFolds(const LevelPlan& plan) {
   MaskSources sources{.edges = &edgePass_.edges()};
   for (std::size_t i = 1; i + 1 < plan.levels.size(); ++i) {
-    const PlannedLevel& level = plan.levels[i];
-    static_cast<void>(folds(level, plan.levels.front().size));
-    sources.joined.at(static_cast<std::size_t>(level.index)) = &edgePass_.folds(level.index);
+    const int level = plan.levels[i].index;
+    static_cast<void>(folds(level, plan.levels[i + 1].index, plan.levels.front().size));
+    sources.joined.at(static_cast<std::size_t>(level)) = &edgePass_.folds(level);
   }
   return masksOf(sources, plan);
 }

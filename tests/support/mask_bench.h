@@ -8,7 +8,6 @@
 #include "mres/mask/edge_pass.h"
 #include "mres/mask/mask_pass.h"
 #include "mres/plan/level_plan.h"
-#include "shaders/mres/level_params.h"
 #include "tests/support/pictures.h"
 
 namespace mres::test {
@@ -29,8 +28,8 @@ class MaskBench {
   /// The edge image: channel 0 normals, channel 1 depth.
   Image edges(const Frame& frame, const MaskSettings& settings = {});
 
-  /// After edges(): where normals turn at the scale of a level.
-  Image folds(const PlannedLevel& level, glm::ivec2 fullSize);
+  /// After edges(): where normals turn between the pixels of a level that is coarser than `level`.
+  Image folds(int level, int coarser, glm::ivec2 fullSize);
 
   /// The masks of a plan's levels but the last, from an edge image in a texture or from the last edges().
   std::vector<Image> masks(const gl::Texture2D& edges, const LevelPlan& plan);
@@ -47,7 +46,6 @@ class MaskBench {
   PassContext context_;
   Frame frame_;  // of the last edges()
   gl::UniformBuffer<params::FrameParams> frameBlock_;
-  gl::UniformBuffer<params::LevelParams> levelBlock_;
   EdgePass edgePass_;
   MaskPass maskPass_;
 };

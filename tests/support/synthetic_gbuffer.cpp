@@ -178,6 +178,16 @@ RayCaster room() {
   return nearest(std::move(scenes));
 }
 
+RayCaster curtain(double depth, double period, double degrees) {
+  return [=, wall = plane({0.0, 0.0, 1.0}, -depth)](glm::dvec3 origin, glm::dvec3 direction) {
+    std::optional<Hit> hit = wall(origin, direction);
+    const double x = origin.x + direction.x * depth;
+    const double angle = glm::radians(degrees) * std::sin(glm::radians(360.0) * x / period);
+    if (hit) hit->normal = {std::sin(angle), 0.0, std::cos(angle)};
+    return hit;
+  };
+}
+
 RayCaster withRandomNormals(RayCaster scene) {
   auto generator = std::make_shared<std::mt19937>(1);
   return [scene = std::move(scene), generator](glm::dvec3 origin, glm::dvec3 direction) {

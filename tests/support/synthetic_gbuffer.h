@@ -71,6 +71,10 @@ RayCaster box(glm::dvec3 min, glm::dvec3 max);
 /// A floor, walls, and many boxes and spheres: a room with every kind of edge, filling the picture.
 RayCaster room();
 
+/// A wall across the view at a depth, whose normals swing along x as those of a curtain do: with a period of
+/// metres, up to `degrees`.
+RayCaster curtain(double depth, double period, double degrees);
+
 /// Every normal points elsewhere, so that everything is an edge.
 RayCaster withRandomNormals(RayCaster scene);
 
