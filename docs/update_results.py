@@ -26,6 +26,12 @@ def read_report(folder):
     return None
 
 
+def read_variants(folder):
+    """The reports of the folders below, by name."""
+    variants = {entry.name: read_report(entry) for entry in sorted(folder.glob("*/"))}
+    return {name: report for name, report in variants.items() if report}
+
+
 def markdown(rows):
     alignment = [":--"] + ["--:"] * (len(rows[0]) - 1)
     return "".join("| " + " | ".join(row) + " |\n" for row in [rows[0], alignment, *rows[1:]])
@@ -130,14 +136,12 @@ def truth(report, _folder, _page):
     return markdown(rows)
 
 
-def variants(_report, folder, page):
-    """One row a report below the folder, in the order of their names, all of one commit."""
-    reports = [(variant.name, read_report(variant)) for variant in sorted(folder.iterdir())]
-    reports = [(name, report) for name, report in reports if report]
-    if len({report.get("commit") for _, report in reports}) > 1:
+def variants(reports, folder, page):
+    """One row a report, all of one commit."""
+    if len({report.get("commit") for report in reports.values()}) > 1:
         sys.exit(f"update_results: the reports below '{folder}' are of several commits; remove the folder and measure anew.")
     rows = [["effect, variant", "views", "speedup", "work", "RMS", "greatest"]]
-    for name, report in reports:
+    for name, report in reports.items():
         effect, *words = name.split("-")
         results = report["results"]
         errors = [field(r, ("error", "rms")) for r in results]
@@ -145,7 +149,7 @@ def variants(_report, folder, page):
         rows.append([f"{effect}, {' '.join(words)}" if words else effect, str(len(results))]
                     + [cell(overall(statistics.mean, [field(r, (name,)) for r in results]), form) for name, form in means]
                     + [cell(overall(figure, errors), "{:.4f}") for figure in (statistics.mean, max)])
-    return machine(reports[0][1] | {"results": []}, folder, page) + "\n" + markdown(rows) if reports else None
+    return machine(next(iter(reports.values())) | {"results": []}, folder, page) + "\n" + markdown(rows)
 
 
 def stages(report, _folder, _page):
@@ -179,8 +183,8 @@ def update(reports, page):
     def block(match):
         begin, kind, name, end = match.groups()
         folder = reports / name
-        report = read_report(folder)
-        text = KINDS[kind](report, folder, page) if report or (kind == "variants" and folder.exists()) else None
+        report = read_variants(folder) if kind == "variants" else read_report(folder)
+        text = KINDS[kind](report, folder, page) if report else None
         return match[0] if text is None else f"{begin}\n{text}\n{end}"
 
     page.write_text(BLOCK.sub(block, page.read_text()))

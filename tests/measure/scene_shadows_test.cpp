@@ -19,13 +19,10 @@
 namespace host {
 namespace {
 
-constexpr glm::ivec2 kSize(320, 180);
-constexpr int kStride = 3;  // of the pixels that rays are sent from
-constexpr int kRays = 64;   // from each of them
+constexpr glm::ivec2 kSize(160, 90);
+constexpr int kRays = 64;  // from each pixel
 
-/// Between two pixels of the grid may lie a dark one that rays do not see, one of the sixteen that the filter
-/// mixes.
-constexpr float kLit = 0.93f;
+constexpr float kLit = 0.98f;
 constexpr float kDark = 0.02f;
 constexpr int kOneIn = 200;  // pixels may be wrong
 
@@ -104,8 +101,8 @@ std::size_t indexOf(glm::ivec2 point, glm::ivec2 size) {
 
 /// At a point of the grid and all its neighbours: what the filter of a level may mix.
 bool isAllAround(glm::ivec2 point, float share, const FloatImage& open) {
-  for (int i = 0; i < 9; ++i) {
-    const glm::ivec2 neighbour = point + glm::ivec2(i % 3, i / 3) - 1;
+  for (int i = 0; i < 25; ++i) {
+    const glm::ivec2 neighbour = point + glm::ivec2(i % 5, i / 5) - 2;
     const glm::ivec2 inside = glm::clamp(neighbour, glm::ivec2(0), open.size - 1);
     if (open.pixels[indexOf(inside, open.size)] != share) return false;
   }
@@ -166,8 +163,7 @@ class SceneShadows : public testing::TestWithParam<SunlitFloor> {
 
   Sunlight sunlightIn(const mres::Frame& frame, const mres::ShadowInputs& shadow) {
     const SunOverDisk sun(rays_, frame, shadow);
-    const GridSurfaces surfaces =
-        readSurfaces({.pictureSize = frame.size, .stride = glm::ivec2(kStride)}, frame);
+    const GridSurfaces surfaces = readSurfaces({.pictureSize = frame.size, .stride = glm::ivec2(1)}, frame);
     const auto openShare = [&](const SurfacePoint& point, int index) { return sun.openShare(point, index); };
     Sunlight sunlight{surfaces.grid, evaluateEach(surfaces, openShare, [](auto&&...) {}), {}};
     for (const SurfacePoint& point : surfaces.points) sunlight.sunny.push_back(sun.isSunny(point));
