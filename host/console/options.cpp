@@ -42,14 +42,6 @@ mres::Technique parseTechnique(const std::string& name) {
   throw UsageError(fmt::format("There is no technique '{}'{}", name, suggestion(name, techniqueNames())));
 }
 
-int parseRepeat(const std::string& text) {
-  const auto number = parseNumber(text);
-  if (!number || *number < 1 || *number > kMostRepetitions || *number != static_cast<int>(*number))
-    throw UsageError(fmt::format("'{}' is no number of repetitions; give a whole number from 1 to {}.", text,
-                                 kMostRepetitions));
-  return static_cast<int>(*number);
-}
-
 std::string parseShaderFolder(const std::string& folder) {
   std::error_code ignored;
   if (!std::filesystem::is_directory(folder, ignored))
@@ -157,7 +149,8 @@ void addViewOptions(CLI::App& command, ViewOptions& options) {
 void addTimingOptions(CLI::App& command, TimingOptions& options, const std::string& figure) {
   RepeatPlan& plan = options.repeat;
   CLI::Option* repeat = addText(
-      command, "--repeat", "N", [&plan](const std::string& text) { plan.pairs = parseRepeat(text); },
+      command, "--repeat", "N",
+      [&plan](const std::string& text) { plan.pairs = parseCount(text, "repetitions", 1, kMostRepetitions); },
       fmt::format("timed repetitions (default: {} to {}, until {} is known within {:.0f} %, or for {} s; "
                   "fewer where {} would take "
                   "longer than {} s)",

@@ -75,6 +75,14 @@ std::optional<double> parseNumber(std::string_view text) {
   return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
+int parseCount(const std::string& text, std::string_view things, int least, int most) {
+  const auto number = parseNumber(text);
+  if (!number || *number < least || *number > most || *number != std::trunc(*number))
+    throw UsageError(fmt::format("'{}' is no number of {}; give a whole number from {} to {}.", text, things,
+                                 least, most));
+  return static_cast<int>(*number);
+}
+
 Assignment parseAssignment(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())

@@ -21,6 +21,9 @@ std::optional<int> parseCamera(const std::string& text);
 /// A whole finite number, nothing after it.
 std::optional<double> parseNumber(std::string_view text);
 
+/// A whole number of `things`, from `least` to `most`.
+int parseCount(const std::string& text, std::string_view things, int least, int most);
+
 /// "radius=0.4" -> {"radius", "0.4"}.
 struct Assignment {
   std::string key;

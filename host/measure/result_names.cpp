@@ -8,6 +8,10 @@ std::string viewOf(const Json& result) {
   return fmt::format("{} {}", result["scene"].get<std::string>(), result["camera"].get<int>());
 }
 
+std::string pictureOf(const Json& result) {
+  return fmt::format("{} {}", viewOf(result), result["effect"].get<std::string>());
+}
+
 std::string sizeOf(const Json& result) {
   return fmt::format("{}x{}", result["width"].get<int>(), result["height"].get<int>());
 }

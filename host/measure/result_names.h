@@ -9,6 +9,8 @@ namespace host {
 
 /// "hall 0".
 std::string viewOf(const Json& result);
+/// "hall 0 ssao".
+std::string pictureOf(const Json& result);
 /// "1920x1080".
 std::string sizeOf(const Json& result);
 double megapixels(const Json& result);

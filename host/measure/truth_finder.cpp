@@ -79,13 +79,9 @@ TruthFinder::TruthFinder(const Scene& scene, const PictureSettings& settings)
 std::vector<Truth> TruthFinder::find(const mres::Frame& frame, const EffectInputs& inputs,
                                      const WorkObserver& observe) {
   std::vector<Truth> truths;
-  truths.push_back(converged(frame, inputs, [&](double share, const std::string& what) {
-    observe(kShareOfConverging * share, what);
-  }));
+  truths.push_back(converged(frame, inputs, partOf(observe, 0.0, kShareOfConverging)));
   if (hasRayTracedTruth(settings_, inputs))
-    truths.push_back(rayTraced(frame, inputs, [&](double share, const std::string& what) {
-      observe(kShareOfConverging + (1.0 - kShareOfConverging) * share, what);
-    }));
+    truths.push_back(rayTraced(frame, inputs, partOf(observe, kShareOfConverging, 1.0)));
   return truths;
 }
 

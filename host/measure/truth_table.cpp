@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "host/measure/report.h"
+#include "host/measure/result_names.h"
 #include "host/measure/text_table.h"
 
 namespace host {
@@ -12,13 +13,9 @@ std::string number(const Json& truth, const char* key) {
 }
 
 std::vector<std::string> rowOf(const Json& result, const std::string& name, const Json& truth) {
-  return {fmt::format("{} {} {}", result["scene"].get<std::string>(), result["camera"].get<int>(),
-                      result["effect"].get<std::string>()),
-          truthTitle(name, truth),
-          truth["pixels"].dump(),
-          number(truth, "reference_rms"),
-          number(truth, "rms"),
-          number(truth, "reference_max"),
+  return {pictureOf(result),      truthTitle(name, truth),
+          truth["pixels"].dump(), number(truth, "reference_rms"),
+          number(truth, "rms"),   number(truth, "reference_max"),
           number(truth, "max")};
 }
 

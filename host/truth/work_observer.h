@@ -9,4 +9,11 @@ namespace host {
 /// work.
 using WorkObserver = std::function<void(double share, const std::string& what)>;
 
+/// Observes work that is a part of what `observe` observes: from one share of that to another.
+inline WorkObserver partOf(const WorkObserver& observe, double from, double to) {
+  return [&observe, from, to](double share, const std::string& what) {
+    observe(from + (to - from) * share, what);
+  };
+}
+
 }  // namespace host
