@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 #include "host/measure/statistics.h"
 #include "host/measure/value_error.h"
@@ -17,6 +16,10 @@ struct BlockSum {
   double squares = 0.0;
   int values = 0;
 };
+
+glm::ivec2 blocksOf(glm::ivec2 size) {
+  return (size + kBlock - 1) / kBlock;
+}
 
 double rmsOf(const BlockSum& block) {
   return std::sqrt(block.squares / block.values);
@@ -40,13 +43,18 @@ std::vector<BlockSum> sumBlocks(const FloatImage& image, const FloatImage& refer
 
 }  // namespace
 
-BlockErrors compareBlocks(const FloatImage& image, const FloatImage& reference) {
-  const glm::ivec2 blocks = (image.size + kBlock - 1) / kBlock;
+std::vector<double> blockErrors(const FloatImage& image, const FloatImage& reference) {
   std::vector<double> errors;
-  for (const BlockSum& sum : sumBlocks(image, reference, blocks)) errors.push_back(rmsOf(sum));
+  for (const BlockSum& sum : sumBlocks(image, reference, blocksOf(image.size))) errors.push_back(rmsOf(sum));
+  return errors;
+}
+
+BlockErrors compareBlocks(const FloatImage& image, const FloatImage& reference) {
+  const std::vector<double> errors = blockErrors(image, reference);
   const auto worst = std::ranges::max_element(errors);
   const auto index = static_cast<int>(worst - errors.begin());
-  const glm::ivec2 corner = kBlock * glm::ivec2(index % blocks.x, index / blocks.x);
+  const int columns = blocksOf(image.size).x;
+  const glm::ivec2 corner = kBlock * glm::ivec2(index % columns, index / columns);
   return {.max = *worst,
           .percentile99 = quantile(errors, 0.99),
           .worst = glm::min(corner + kBlock / 2, image.size - 1)};

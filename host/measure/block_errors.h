@@ -1,6 +1,8 @@
 // Errors of a picture's blocks of 8x8 pixels: in one mean over a picture, a small ugly artefact could hide.
 #pragma once
 
+#include <vector>
+
 #include "host/image/image_file.h"
 
 namespace host {
@@ -14,5 +16,8 @@ struct BlockErrors {
 /// Of images of the same size and number of channels. Blocks at the right and at the bottom border are what
 /// is left.
 BlockErrors compareBlocks(const FloatImage& image, const FloatImage& reference);
+
+/// The RMS of each block, row by row.
+std::vector<double> blockErrors(const FloatImage& image, const FloatImage& reference);
 
 }  // namespace host

@@ -1,6 +1,7 @@
 #include "host/measure/comparison.h"
 
 #include <fmt/format.h>
+#include <utility>
 
 #include "host/measure/error_metrics.h"
 #include "host/measure/gl_timer.h"
@@ -9,7 +10,8 @@ namespace host {
 namespace {
 
 constexpr mres::Technique kReference = mres::Technique::full;
-constexpr double kShareOfTiming = 0.85;  // of the whole work, about
+constexpr double kShareOfTiming = 0.85;  // of the work on a view, about
+constexpr double kShareOfPath = 0.5;     // of the whole work, about, where there is one
 
 TruthErrors errorsAgainst(const Truth& truth, const FloatImage& technique, const FloatImage& reference) {
   const glm::ivec2 pixels = truth.grid.size();
@@ -32,15 +34,22 @@ Comparison::Comparison(const Scene& scene, const PictureSettings& settings, bool
       reference_(settings, kReference, EffectInstance::Coverage::unmeasured),
       inspected_(settings, settings.technique, EffectInstance::Coverage::measured) {}
 
+/// The geometry, and what effects read besides.
+void Comparison::draw(const Camera& camera, glm::ivec2 size) {
+  const GBufferTextures& gbuffer = renderer_.drawGeometry(camera, size);
+  frame_ = frameOf(renderer_, gbuffer, size);
+  inputs_ = drawInputs(renderer_, settings_);
+  for (EffectInstance* instance : {&technique_, &reference_, &inspected_}) instance->setInputs(inputs_);
+}
+
 /// By both techniques, timed if that was asked for.
 void Comparison::render(const ComparisonRequest& request, Measurement& measurement,
                         const WorkObserver& observe) {
-  const Work renderTechnique = [this] { techniqueTexture_ = technique_.render(frame_); };
-  const Work renderReference = [this] { referenceTexture_ = reference_.render(frame_); };
   if (request.timing) {
     const GlTimer timer(softwareRasterizer_);
     measurement.times = timeInterleaved(
-        renderTechnique, renderReference, [&timer](const Work& work) { return timer(work); }, *request.timing,
+        [this] { renderTechnique(); }, [this] { renderReference(); },
+        [&timer](const Work& work) { return timer(work); }, *request.timing,
         [&observe](int pair, int expected) {
           observe(kShareOfTiming * pair / expected,
                   pair == 0 ? "warming up" : fmt::format("timed pair {} of at most {}", pair, expected));
@@ -52,19 +61,44 @@ void Comparison::render(const ComparisonRequest& request, Measurement& measureme
   }
 }
 
-Measurement Comparison::measure(const ComparisonRequest& request, const WorkObserver& observe) {
-  const GBufferTextures& gbuffer = renderer_.drawGeometry(scene_.cameras.at(request.camera), request.size);
-  frame_ = frameOf(renderer_, gbuffer, request.size);
-  inputs_ = drawInputs(renderer_, settings_);
-  for (EffectInstance* instance : {&technique_, &reference_, &inspected_}) instance->setInputs(inputs_);
+void Comparison::readValues() {
+  techniqueValues_ = readTexture(techniqueTexture_, frame_.size, technique_.channels());
+  referenceValues_ = readTexture(referenceTexture_, frame_.size, reference_.channels());
+}
 
+Measurement Comparison::measure(const ComparisonRequest& request, const WorkObserver& observe) {
+  if (!request.path) return measureView(request, observe);
+  // First, so that what is left is the view itself, for pictures().
+  const TemporalErrors temporal = measureFlicker(request, partOf(observe, 0.0, kShareOfPath));
+  Measurement measurement = measureView(request, partOf(observe, kShareOfPath, 1.0));
+  measurement.temporal = temporal;
+  return measurement;
+}
+
+/// Along the path.
+TemporalErrors Comparison::measureFlicker(const ComparisonRequest& request, const WorkObserver& observe) {
+  const int frames = request.path->frames;
+  const Bounds bounds = boundsOf(scene_);
+  TemporalErrorSum sum;
+  for (int frame = 0; frame < frames; ++frame) {
+    observe(static_cast<double>(frame) / frames, fmt::format("frame {} of {}", frame + 1, frames));
+    draw(cameraAt(scene_.cameras.at(request.camera), *request.path, bounds, frame), request.size);
+    renderTechnique();
+    renderReference();
+    readValues();
+    sum.add(std::move(techniqueValues_), std::move(referenceValues_));
+  }
+  return sum.result();
+}
+
+Measurement Comparison::measureView(const ComparisonRequest& request, const WorkObserver& observe) {
+  draw(scene_.cameras.at(request.camera), request.size);
   Measurement measurement = describePicture(scene_, settings_, request.camera, request.size);
   measurement.reference = nameOf(kReference);
   measurement.warnings = warnings();
   render(request, measurement, observe);
   observe(kShareOfTiming, "comparing the pictures");
-  techniqueValues_ = readTexture(techniqueTexture_, request.size, technique_.channels());
-  referenceValues_ = readTexture(referenceTexture_, request.size, reference_.channels());
+  readValues();
   measurement.error = compareImages(techniqueValues_, referenceValues_);
   observe(kShareOfTiming, "looking at each stage");
   inspect(inspected_, frame_, request.timing ? stageClockOf(softwareRasterizer_) : StageClock::off,
@@ -76,11 +110,8 @@ Measurement Comparison::measure(const ComparisonRequest& request, const WorkObse
 /// Of the values read back.
 std::vector<TruthErrors> Comparison::compareWithTruths(const WorkObserver& observe) {
   if (!truthFinder_) truthFinder_ = std::make_unique<TruthFinder>(scene_, settings_);
-  const auto observeRest = [&observe](double share, const std::string& what) {
-    observe(kShareOfTiming + (1.0 - kShareOfTiming) * share, what);
-  };
   std::vector<TruthErrors> errors;
-  for (const Truth& truth : truthFinder_->find(frame_, inputs_, observeRest))
+  for (const Truth& truth : truthFinder_->find(frame_, inputs_, partOf(observe, kShareOfTiming, 1.0)))
     errors.push_back(errorsAgainst(truth, techniqueValues_, referenceValues_));
   return errors;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "host/measure/camera_path.h"
 #include "host/measure/effect_instance.h"
 #include "host/measure/interleaved.h"
 #include "host/measure/measurement.h"
@@ -17,8 +18,9 @@ namespace host {
 struct ComparisonRequest {
   int camera = 0;
   glm::ivec2 size{0};
-  std::optional<RepeatPlan> timing;  ///< none: pictures and errors alone
-  bool truth = false;                ///< whether to measure against better pictures than the reference, too
+  std::optional<RepeatPlan> timing = std::nullopt;  ///< none: pictures and errors alone
+  bool truth = false;  ///< whether to measure against better pictures than the reference, too
+  std::optional<CameraPath> path = std::nullopt;  ///< none: no flicker is measured
 };
 
 /// The pictures of a comparison, encoded for display but for the effect's values.
@@ -51,7 +53,13 @@ class Comparison {
   ComparisonPictures pictures();
 
  private:
+  void draw(const Camera& camera, glm::ivec2 size);
   void render(const ComparisonRequest& request, Measurement& measurement, const WorkObserver& observe);
+  void renderTechnique() { techniqueTexture_ = technique_.render(frame_); }
+  void renderReference() { referenceTexture_ = reference_.render(frame_); }
+  void readValues();
+  Measurement measureView(const ComparisonRequest& request, const WorkObserver& observe);
+  TemporalErrors measureFlicker(const ComparisonRequest& request, const WorkObserver& observe);
   std::vector<TruthErrors> compareWithTruths(const WorkObserver& observe);
   FloatImage litBy(GLuint effect);
 

@@ -10,6 +10,7 @@
 #include "host/measure/error_metrics.h"
 #include "host/measure/interleaved.h"
 #include "host/measure/picture_settings.h"
+#include "host/measure/temporal_errors.h"
 #include "host/scene/scene.h"
 
 namespace host {
@@ -48,14 +49,15 @@ struct Measurement {
   int samples = 0;
   std::string technique;
   std::optional<std::string> reference;
-  Json settings;                          ///< every setting that the picture depends on
-  std::optional<InterleavedTimes> times;  ///< none if pictures and errors alone were asked for; without
-                                          ///< reference runs there is no speedup
-  std::optional<ErrorMetrics> error;      ///< none without a reference
-  std::vector<TruthErrors> truths;        ///< none if they weren't asked for
-  std::vector<double> coverage;           ///< share of level i in which the effect ran
-  std::vector<StageCost> stages;          ///< of the technique; none if no timing was asked for
-  std::string stagesClock;                ///< what the stages were timed with
+  Json settings;                           ///< every setting that the picture depends on
+  std::optional<InterleavedTimes> times;   ///< none if pictures and errors alone were asked for; without
+                                           ///< reference runs there is no speedup
+  std::optional<ErrorMetrics> error;       ///< none without a reference
+  std::vector<TruthErrors> truths;         ///< none if they weren't asked for
+  std::optional<TemporalErrors> temporal;  ///< none if no flicker was asked for
+  std::vector<double> coverage;            ///< share of level i in which the effect ran
+  std::vector<StageCost> stages;           ///< of the technique; none if no timing was asked for
+  std::string stagesClock;                 ///< what the stages were timed with
   std::vector<SkippedPart> skipped;
   std::size_t gpuBytes = 0;
   double seconds = 0.0;  ///< that all of it took, writing pictures and, where it had to be, loading the scene

@@ -49,6 +49,19 @@ Json toJson(const std::vector<TruthErrors>& truths) {
   return json;
 }
 
+/// In a scene in which nothing changes there is nothing that flicker could be a share of.
+Json toJson(const TemporalErrors& temporal) {
+  return {{"frames", temporal.frames},
+          {"rms", temporal.rms},
+          {"max", temporal.max},
+          {"block_max", temporal.blockMax},
+          {"block_p99", temporal.blockPercentile99},
+          {"change_rms", temporal.techniqueChange},
+          {"reference_change_rms", temporal.referenceChange},
+          {"ratio", finiteOrNull(temporal.rms / temporal.referenceChange)},
+          {"non_finite", temporal.nonFinite}};
+}
+
 Json clockName(Clock clock) {
   return clock == Clock::gpu ? "GL_TIME_ELAPSED" : "glFinish+steady_clock";
 }
@@ -100,6 +113,7 @@ Json toJson(const Measurement& measurement) {
   addTimes(result, measurement.times.value_or(InterleavedTimes()));
   result["error"] = measurement.error ? toJson(*measurement.error) : Json();
   result["truth"] = toJson(measurement.truths);
+  result["temporal"] = measurement.temporal ? toJson(*measurement.temporal) : Json();
   result["coverage"] = measurement.coverage;
   addEfficiency(result, measurement.coverage);
   result["stages_ms"] = Json::object();

@@ -35,4 +35,7 @@ std::string truthTitle(const std::string& name, const Json& truth);
 /// empty for a report without truths.
 std::string toTruthTable(const Json& report);
 
+/// How much the technique flickers, a row a picture, aligned for a terminal; empty for a report without.
+std::string toTemporalTable(const Json& report);
+
 }  // namespace host

@@ -138,6 +138,34 @@ TEST(Report, HasTheErrorsAgainstEachTruth) {
       R"("ray_traced":{"rays":256,"pixels":32400,"rms":0.08,"max":0.9,"reference_rms":0.07,"reference_max":0.8}})");
 }
 
+TemporalErrors exampleFlicker() {
+  return {.frames = 8,
+          .rms = 0.004,
+          .max = 0.25,
+          .blockMax = 0.1,
+          .blockPercentile99 = 0.02,
+          .techniqueChange = 0.017,
+          .referenceChange = 0.016};
+}
+
+TEST(Report, HasTheFlickerWhereItWasMeasured) {
+  Measurement measurement = example();
+  EXPECT_TRUE(toJson(measurement).at("temporal").is_null());
+  measurement.temporal = exampleFlicker();
+  EXPECT_EQ(toJson(measurement)["temporal"].dump(),
+            R"({"frames":8,"rms":0.004,"max":0.25,"block_max":0.1,"block_p99":0.02,"change_rms":0.017,)"
+            R"("reference_change_rms":0.016,"ratio":0.25,"non_finite":0})");
+}
+
+TEST(Report, WhereTheReferenceDoesNotChangeFlickerIsNoShareOfThat) {
+  Measurement measurement = example();
+  for (const double rms : {0.0, 0.004}) {
+    measurement.temporal = TemporalErrors{.frames = 2, .rms = rms};
+    EXPECT_TRUE(toJson(measurement)["temporal"]["ratio"].is_null()) << rms;
+    EXPECT_THAT(toTemporalTable(reportOf({measurement})), HasSubstr("  -  ")) << rms;
+  }
+}
+
 TEST(Report, AnInfinitePsnrIsNull) {
   Measurement measurement = example();
   measurement.error->psnr = std::numeric_limits<double>::infinity();
@@ -227,6 +255,16 @@ TEST(TruthTable, HasALineForEachTruth) {
   EXPECT_THAT(toTruthTable(reportOf({measurement})),
               AllOf(HasSubstr("hall 2 ssao"), HasSubstr("converged, 4096 samples  129600    0.0200  0.0300"),
                     HasSubstr("ray traced, 256 rays   32400    0.0700  0.0800")));
+}
+
+TEST(TemporalTable, HasALineForEachPictureWhoseFlickerWasMeasured) {
+  Measurement measurement = example();
+  EXPECT_EQ(toTemporalTable(reportOf({measurement})), "");
+  measurement.temporal = exampleFlicker();
+  const std::string table = toTemporalTable(reportOf({measurement, example(), measurement}));
+  EXPECT_THAT(table,
+              HasSubstr("hall 2 ssao               8         0.0160  0.0040       25.0          0.0200"));
+  EXPECT_EQ(std::ranges::count(table, '\n'), 5);
 }
 
 TEST(TruthTable, DoesWithoutTheFieldInOlderReports) {
