@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "host/commands/commands.h"
 #include "host/console/interruption.h"
@@ -9,6 +10,7 @@
 #include "host/console/notes.h"
 #include "host/console/options.h"
 #include "host/console/output.h"
+#include "host/console/parse.h"
 #include "host/console/progress.h"
 #include "host/console/stopwatch.h"
 #include "host/console/usage_error.h"
@@ -27,6 +29,7 @@ struct CompareOptions {
   PictureOptions picture;
   TimingOptions timing;
   bool truth = false;
+  std::optional<CameraPath> path;
   fs::path output;
 };
 
@@ -35,6 +38,7 @@ Examples:
   mres compare hall --size 4k -o out                    a picture and a number
   mres compare hall --camera all --no-timing -o out     pictures and errors of every camera
   mres compare hall --truth --no-timing -o out          what the reference itself is worth
+  mres compare hall --frames 8 --no-timing -o out       how much the technique flickers as the camera moves
   mres compare room.glb --samples 16 --set radius=0.8 --json -o out
 
 The folder gets full.png and mres.png (lit), effect_full and effect_mres (.png, and .exr with the exact values),
@@ -73,11 +77,11 @@ class CompareRun {
  private:
   void compareCamera(int camera) {
     const Stopwatch stopwatch;
-    Measurement measurement =
-        comparison_.measure({camera, options_.view.size, options_.timing.plan(), options_.truth},
-                            [&](double share, const std::string& what) {
-                              show(0.9 * share, fmt::format("camera {}: {}", camera, what));
-                            });
+    Measurement measurement = comparison_.measure(
+        {camera, options_.view.size, options_.timing.plan(), options_.truth, options_.path},
+        [&](double share, const std::string& what) {
+          show(0.9 * share, fmt::format("camera {}: {}", camera, what));
+        });
     measurement.settings = valuesOf(settings_);
     const fs::path folder = pictureFolder(cameras_.size(), camera);
     const OutputDirectory directory(options_.output / folder);
@@ -122,8 +126,21 @@ void runCompare(const CompareOptions& options) {
   if (options.picture.json)
     fmt::print("{}", toText(report));
   else
-    fmt::print("{}{}\nPictures and report.json are in {}\n", toTable(report), toTruthTable(report),
-               fs::weakly_canonical(output.path()).string());
+    fmt::print("{}{}{}\nPictures and report.json are in {}\n", toTable(report), toTruthTable(report),
+               toTemporalTable(report), fs::weakly_canonical(output.path()).string());
+}
+
+void addPathOption(CLI::App& command, std::optional<CameraPath>& path) {
+  constexpr int kMostFrames = 100;
+  command
+      .add_option_function<std::string>(
+          "--frames",
+          [&path](const std::string& text) { path = {.frames = parseCount(text, "frames", 2, kMostFrames)}; },
+          fmt::format(
+              "also measure flicker: move the camera slowly, forward and turning, for N frames, 2 to {}, "
+              "and take the change of the error from frame to frame; {} will do",
+              kMostFrames, CameraPath().frames))
+      ->type_name("N");
 }
 
 }  // namespace
@@ -139,6 +156,7 @@ void addCompareCommand(CLI::App& app, Action& action) {
       "--truth", options->truth,
       "also measure technique and reference against the effect with 4096 samples or more and, for ambient "
       "occlusion and shadows, against ray tracing");
+  addPathOption(*command, options->path);
   command->add_option("-o,--output", options->output, "where pictures and report.json go")
       ->required()
       ->type_name("DIR");

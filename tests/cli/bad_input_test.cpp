@@ -98,6 +98,13 @@ TEST_F(BadInput, SettingsOutOfRangeTellTheRange) {
   EXPECT_THAT(compareFailure({"--repeat", "0"}, 2), HasSubstr("1 to 10000"));
 }
 
+TEST_F(BadInput, PathsOfTooFewOrTooManyFrames) {
+  for (const char* frames : {"0", "1", "-8", "99999999999", "2.5", "many"})
+    EXPECT_THAT(compareFailure({"--frames", frames}, 2),
+                AllOf(HasSubstr(fmt::format("'{}'", frames)), HasSubstr("2 to 100")));
+  EXPECT_THAT(renderFailure({"--frames", "8"}, 2), HasSubstr("--frames"));
+}
+
 TEST_F(BadInput, WrongUsage) {
   EXPECT_THAT(failureOf({"frobnicate"}, 2), HasSubstr("frobnicate"));
   EXPECT_THAT(failureOf({"render", "hall"}, 2), HasSubstr("--output"));

@@ -75,6 +75,32 @@ TEST_F(Command, CompareSaysHowFarBothAreFromTheTruth) {
       AllOf(HasSubstr("converged, 4096 samples"), HasSubstr("ray traced, 256 rays")));
 }
 
+TEST_F(Command, CompareMeasuresFlickerWhereAsked) {
+  EXPECT_TRUE(untimedComparison({}).at("temporal").is_null());
+  const json temporal = untimedComparison({"--frames", "3"}).at("temporal");
+  EXPECT_EQ(temporal.at("frames"), 3);
+  EXPECT_GT(temporal.at("rms"), 0.0);
+  EXPECT_LT(temporal.at("rms"), 0.1);
+  EXPECT_LE(temporal.at("rms"), temporal.at("max"));
+  EXPECT_GT(temporal.at("reference_change_rms"), 0.0);
+  EXPECT_EQ(temporal.at("non_finite"), 0);
+}
+
+TEST_F(Command, FlickerIsTheSameWithTimingAndWithoutIt) {
+  const json untimed = untimedComparison({"--frames", "2"});
+  const json timed =
+      json::parse(succeed({"compare", scene_, "--size", "64x36", "--samples", "8", "--repeat", "1",
+                           "--frames", "2", "--json", "-o", folder_ / "timed"}))["results"][0];
+  EXPECT_EQ(timed["temporal"], untimed["temporal"]);
+  EXPECT_EQ(timed["error"], untimed["error"]);
+}
+
+TEST_F(Command, CompareSaysHowMuchItFlickers) {
+  EXPECT_THAT(succeed({"compare", scene_, "--camera", "all", "--size", "64x36", "--no-timing", "--frames",
+                       "2", "-o", folder_ / "out"}),
+              AllOf(HasSubstr("Flicker"), HasSubstr("corner 0 ssao"), HasSubstr("corner 1 ssao")));
+}
+
 TEST_F(Command, CompareWritesItsPicturesAndNothingElse) {
   EXPECT_THAT(succeed({"compare", scene_, "--size", "96x54", "--no-timing", "-o", folder_ / "out"}),
               HasSubstr("RMS"));
