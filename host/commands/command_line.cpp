@@ -74,6 +74,7 @@ int runCommandLine(int argc, const char* const* argv) {
   addRenderCommand(app, action);
   addCompareCommand(app, action);
   addBenchCommand(app, action);
+  addExportCommand(app, action);
 
   try {
     app.parse(argc, argv);

@@ -132,7 +132,7 @@ void addPictureOptions(CLI::App& command, PictureOptions& options) {
   command.add_flag("--json", options.json, "print the report as JSON on the standard output");
 }
 
-void addViewOptions(CLI::App& command, ViewOptions& options) {
+void addSceneOptions(CLI::App& command, ViewOptions& options) {
   command
       .add_option("SCENE", options.scene, "a built-in scene (mres info lists them), a .gltf or a .glb file")
       ->type_name("")
@@ -140,6 +140,10 @@ void addViewOptions(CLI::App& command, ViewOptions& options) {
   addText(
       command, "--camera", "N", [&](const std::string& text) { options.camera = parseCamera(text); },
       "camera, from 0 on (default 0); `all` where several make sense");
+}
+
+void addViewOptions(CLI::App& command, ViewOptions& options) {
+  addSceneOptions(command, options);
   addText(
       command, "--size", "WxH", [&](const std::string& text) { options.size = parseSize(text); },
       fmt::format("pixels up to {0}x{0}, or 720p, 1080p, 1440p, 4k (default {1}x{2})", kMaxImageSize,

@@ -25,7 +25,9 @@ struct ViewOptions {
   std::optional<int> camera = 0;  ///< none is all
   glm::ivec2 size{1920, 1080};
 };
-/// SCENE, --camera and --size.
+/// SCENE and --camera.
+void addSceneOptions(CLI::App& command, ViewOptions& options);
+/// Those and --size.
 void addViewOptions(CLI::App& command, ViewOptions& options);
 
 struct TimingOptions {

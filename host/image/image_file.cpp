@@ -157,6 +157,11 @@ std::vector<unsigned char> encodeJpeg(const FloatImage& image) {
   return encode(image, {"jpeg", OIIO::TypeDesc::UINT8, "sRGB"});
 }
 
+std::vector<unsigned char> encodePng(const FloatImage& image) {
+  checkImage(image);
+  return encode(image, writerOf(ImageFormat::png));
+}
+
 FloatImage readImage(const std::filesystem::path& path) {
   try {
     return decode(path);

@@ -27,6 +27,9 @@ void writeImage(const std::filesystem::path& path, const FloatImage& image);
 /// The bytes of a JPEG file of high quality, of values as writeImage() takes them for .png.
 std::vector<unsigned char> encodeJpeg(const FloatImage& image);
 
+/// The bytes of a .png file, of values as writeImage() takes them for one.
+std::vector<unsigned char> encodePng(const FloatImage& image);
+
 /// Reads any image OpenImageIO can, as floating point.
 FloatImage readImage(const std::filesystem::path& path);
 

@@ -67,6 +67,14 @@ TEST_F(BadInput, ImpossibleSizes) {
     EXPECT_THAT(renderFailure({"--size", size}, 2), AllOf(HasSubstr(size), HasSubstr("16384x16384")));
 }
 
+TEST_F(BadInput, ExportsThatCannotBe) {
+  const std::string scene = writeCornerScene(input_);
+  EXPECT_THAT(failureOf({"export", scene, "-o", output_ / "copy.obj"}, 2), HasSubstr(".glb"));
+  EXPECT_THAT(failureOf({"export", scene, "--camera", "2", "-o", output_ / "copy.glb"}, 1),
+              HasSubstr("0 to 1"));
+  EXPECT_THAT(failureOf({"export", "hal", "-o", output_ / "copy.glb"}, 1), HasSubstr("'hal'"));
+}
+
 TEST_F(BadInput, CameraOutOfRangeTellsTheRange) {
   const std::string scene = writeCornerScene(input_);
   EXPECT_THAT(renderFailure({scene, "--camera", "2"}, 1), HasSubstr("0 to 1"));
