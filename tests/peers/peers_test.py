@@ -43,12 +43,12 @@ class Peers(unittest.TestCase):
     def test_table_leaves_out_what_is_not_known(self):
         summary = {"median": 12.34}
         lines = table.text_of([
-            {"name": "peer", "time_ms": summary, "frame_ms": {"with": summary, "without": summary}, "gain": 2.0,
+            {"name": "peer", "time_ms": summary, "frame_ms": {"with": summary, "without": summary}, "gain": 2.0, "contrast": 0.05,
              "error_to_converged": {"rms": 0.1, "block_p99": 0.2, "block_max": 0.3}},
-            {"name": "other", "time_ms": summary, "error_to_converged": {"rms": 0.1}},
+            {"name": "other", "time_ms": summary, "contrast": 0.06, "error_to_converged": {"rms": 0.1}},
         ]).splitlines()
-        self.assertEqual(lines[1].split(), ["peer", "12.3", "12.3", "12.3", "2.00x", "0.1000", "0.2000", "0.3000"])
-        self.assertEqual(lines[2].split(), ["other", "12.3", "0.1000"])
+        self.assertEqual(lines[1].split(), ["peer", "12.3", "12.3", "12.3", "2.00x", "0.0500", "0.1000", "0.2000", "0.3000"])
+        self.assertEqual(lines[2].split(), ["other", "12.3", "0.0600", "0.1000"])
 
 
 if __name__ == "__main__":

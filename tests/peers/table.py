@@ -1,6 +1,6 @@
 """The table that ./dev peers ends with."""
 
-HEADING = ["", "pass ms", "frame without", "with", "gain", "RMSE", "block 99 %", "max",
+HEADING = ["", "pass ms", "frame without", "with", "gain", "contrast", "RMSE", "block 99 %", "max",
            "to full: RMSE", "block 99 %", "max"]
 
 
@@ -12,7 +12,7 @@ def cells(result):
     yield f"{result['time_ms']['median']:.1f}"
     yield from (f"{frames[way]['median']:.1f}" if frames else "" for way in ("without", "with"))
     yield f"{result['gain']:.2f}x" if "gain" in result else ""
-    yield from ("" if value is None else f"{value:.4f}" for value in errors)
+    yield from ("" if value is None else f"{value:.4f}" for value in [result["contrast"], *errors])
 
 
 def text_of(results):
