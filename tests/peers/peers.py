@@ -127,6 +127,46 @@ def publish(pictures, output, report):
     os.replace(text, output / "peers.json")
 
 
+def request_of(options, view, scene):
+    """Of a view as mres reports it."""
+    return {"scene": str(scene.resolve()), "width": view["width"], "height": view["height"], "radius": options.radius,
+            "runs": options.runs, "warm_up": WARM_UP, "renderer": RENDERER, "chromium": shutil.which("chromium")}
+
+
+def keep_pictures_of_mres(folder, pictures):
+    for source, name in (("effect_full", "mres-full"), ("effect_mres", "mres")):
+        for ending in (".exr", ".png"):
+            os.replace(folder / (source + ending), pictures / (name + ending))
+
+
+def measure(options, folder, pictures):
+    """The report of all; leaves their pictures in `pictures`, and much else in `folder`."""
+    mres = measure_mres(options, folder / "mres")
+    view = mres["results"][0]
+    scene = folder / "scene.glb"
+    run("mres export", [MRES, "export", options.scene, "--camera", options.camera, "-o", scene])
+    request = request_of(options, view, scene)
+    report = {"schema": 1, "machine": mres["machine"], "radius": options.radius, "peers": {}, "results": []}
+    report |= {name: view[name] for name in ("scene", "triangles", "camera", "width", "height")}
+    for name in PEERS:
+        report["peers"][name], results = measure_peer(name, request, folder / name, pictures)
+        report["results"] += results
+    report["peers"]["mres"] = {"renderer": mres["machine"]["renderer"], "settings": view["settings"],
+                               "versions": {"mres": mres["version"], "commit": mres["commit"]}}
+    report["results"] += results_of_mres(mres, folder / "mres")
+    keep_pictures_of_mres(folder / "mres", pictures)
+    return report
+
+
+def text_of(report, output):
+    return (f"{report['scene']}, camera {report['camera']}, {report['width']}x{report['height']}, radius "
+            f"{report['radius']} m, {report['machine']['renderer']}, {report['machine']['cores']} cores\n\n"
+            f"{table.text_of(report['results'])}\n\n"
+            "Errors are those of the ambient occlusion to the peer's own converged picture, and to its own picture at "
+            "full resolution; contrast is the standard deviation of the former, of mres the latter; blocks are 8x8 "
+            f"pixels.\nPictures and peers.json are in {output}.")
+
+
 def main():
     options = arguments()
     try:
@@ -138,32 +178,13 @@ def main():
         folder = pathlib.Path(work.name)
         pictures = folder / "pictures"
         pictures.mkdir()
-        mres = measure_mres(options, folder / "mres")
-        view = mres["results"][0]
-        scene = folder / "scene.glb"
-        run("mres export", [MRES, "export", options.scene, "--camera", options.camera, "-o", scene])
-        request = {"scene": str(scene.resolve()), "width": view["width"], "height": view["height"],
-                   "radius": options.radius, "runs": options.runs, "warm_up": WARM_UP, "renderer": RENDERER,
-                   "chromium": shutil.which("chromium")}
-        report = {"schema": 1, "machine": mres["machine"], "scene": view["scene"], "triangles": view["triangles"],
-                  "camera": view["camera"], "width": view["width"], "height": view["height"], "radius": options.radius,
-                  "peers": {"mres": {"renderer": mres["machine"]["renderer"], "versions": {"mres": mres["version"],
-                                     "commit": mres["commit"]}, "settings": view["settings"]}},
-                  "results": []}
-        for name in PEERS:
-            report["peers"][name], results = measure_peer(name, request, folder / name, pictures)
-            report["results"] += results
-        report["results"] += results_of_mres(mres, folder / "mres")
-        for source, name in (("effect_full", "mres-full"), ("effect_mres", "mres")):
-            for ending in (".exr", ".png"):
-                os.replace(folder / "mres" / (source + ending), pictures / (name + ending))
+        report = measure(options, folder, pictures)
         publish(pictures, options.output, report)
-    print(f"{view['scene']}, camera {view['camera']}, {view['width']}x{view['height']}, radius {options.radius} m, "
-          f"{report['machine']['renderer']}, {report['machine']['cores']} cores\n\n{table.text_of(report['results'])}\n\n"
-          "Errors are those of the ambient occlusion to the peer's own converged picture, and to its own picture at full "
-          "resolution; contrast is the standard deviation of the former, of mres the latter; blocks are 8x8 pixels.\n"
-          f"Pictures and peers.json are in {options.output}.")
+    print(text_of(report, options.output))
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except KeyboardInterrupt:
+        sys.exit(130)  # as shells have it; the peers got the signal as well
