@@ -8,8 +8,9 @@ import { fileURLToPath } from "node:url";
 import puppeteer from "puppeteer-core";
 
 // ANGLE over the system's OpenGL, through EGL, which needs no display; Chromium's own would be SwiftShader.
-const OPENGL = ["--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist"];
-// A frame of 3840x2160 may take seconds, and one of the calls draws many.
+// Without the watchdog, which would end frames that take many seconds, as those of 3840x2160 may.
+const OPENGL = ["--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist", "--disable-gpu-watchdog"];
+// One of the calls draws dozens of frames.
 const PATIENCE = 3600e3;
 
 const [requestFile, folder] = process.argv.slice(2);
