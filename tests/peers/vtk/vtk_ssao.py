@@ -35,7 +35,8 @@ def new_ssao(radius):
 
 def prepare(actor):
     """White and unlit, so that a pixel is its ambient occlusion and little besides the pass takes time."""
-    actor.SetVisibility(not actor.GetForceTranslucent())  # mres draws those after its effects
+    # mres draws translucent surfaces after its effects. The importer takes masked ones, whose holes it ignores, for such.
+    actor.SetVisibility(not actor.GetForceTranslucent())
     surface = actor.GetProperty()
     surface.SetInterpolationToPhong()
     surface.SetColor(1, 1, 1)
