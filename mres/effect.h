@@ -54,9 +54,9 @@ struct EffectDescription {
   /// a NaN or an infinity the picture gets the background's value.
   const char* shader;
   std::span<const gl::ShaderFile> shaders;  ///< Files that `shader` needs beyond those of mres.
-  /// 1 (result GL_R16F): a value from 0 to 1; MaskSettings::refineThreshold is a difference of such values.
-  /// 3 (result GL_RGBA16F): radiances, not negative, the picture's white near 1; refineThreshold is
-  /// Michelson's contrast of the largest channels, |a - b| / max(a + b, 0.1).
+  /// 1 (result GL_R16F): a value from 0 to 1; values differ by |a - b|. 3 (result GL_RGBA16F): radiances, not
+  /// negative, the picture's white near 1; they differ by Michelson's contrast of the largest channels,
+  /// |a - b| / max(a + b, 0.1).
   int channels = 1;
   glm::vec4 background{1.0f};  ///< Effect::background(), unless that says otherwise.
   /// What is random in shade() depends on Surface::noisePixel alone, which repeats every

@@ -28,14 +28,18 @@ enum MaskCombination : int {
 /// Where a level is refined. Steps in depth are on the surface, not on pixels, so that they mean the same at
 /// every resolution and field of view.
 struct MaskSettings {
+  /// The difference between levels that a finer one is rendered for, per error over the whole picture: large
+  /// differences are rare. Measured with the effects that come with mres (docs/results.md).
+  static constexpr float kDifferencePerError = 8.0f;
+
   float normalThreshold = 20.0f;  ///< degrees, [0, 180]. Neighbours' normals further apart are an edge: of
                                   ///< pixels and, for a level, of pixels of the next coarser one.
   float depthThreshold = 0.05f;   ///< metres, [0, 100]. Larger steps in depth, off a plane, are an edge.
-  float refineThreshold = 0.08f;  ///< [0, 1]. Least gain worth refining: a difference or, of radiances,
-                                  ///< Michelson's contrast (0.08: a ratio of 1.17); 0: edges alone.
+  float errorBudget = 0.01f;      ///< [0, 1]. RMS error to accept. A finer level renders where coarser ones
+                              ///< differ by more than kDifferencePerError times that; 0: edges alone decide.
   bool geometryAlways = false;  ///< Refine at geometry's edges even for effects that find edges of their own.
   bool minMaxMips = false;  ///< Find geometry's edges by min/max mips of depth and normals, for comparison.
-  bool disjoint = false;    ///< Each pixel in one level alone, for comparison; as if refineThreshold were 0.
+  bool disjoint = false;    ///< Each pixel in one level alone, for comparison; as if errorBudget were 0.
   MaskCombination combination = kCombineByMaximum;  ///< of the edges with Frame::importance, if there is one
 };
 
@@ -45,11 +49,11 @@ void visit(MaskSettings& settings, Visitor&& visitor) {
           SettingInfo{"degrees", 0.0, 180.0, "Neighbours' normals further apart are an edge."});
   visitor("depthThreshold", settings.depthThreshold,
           SettingInfo{"metres", 0.0, 100.0, "Larger steps in depth, off a plane, are an edge."});
-  visitor("refineThreshold", settings.refineThreshold,
-          SettingInfo{
-              "", 0.0, 1.0,
-              "Least difference of a level to the coarser one that a finer level is rendered for (radiances "
-              "in Michelson's contrast); 0: edges alone decide."});
+  visitor(
+      "errorBudget", settings.errorBudget,
+      SettingInfo{"RMS", 0.0, 1.0,
+                  "Error to accept: a finer level is rendered where coarser ones differ by more than it is "
+                  "worth; 0: edges alone decide."});
   visitor(
       "geometryAlways", settings.geometryAlways,
       SettingInfo{
@@ -62,7 +66,7 @@ void visit(MaskSettings& settings, Visitor&& visitor) {
   visitor("disjoint", settings.disjoint,
           SettingInfo{"", 0.0, 1.0,
                       "Render each pixel in one level alone, for comparison; what to refine is then decided "
-                      "before anything is rendered, as if refineThreshold were 0."});
+                      "before anything is rendered, as if errorBudget were 0."});
   visitor(
       "combination", settings.combination,
       SettingInfo{"", kCombineByMaximum, kCombineByMinimum,

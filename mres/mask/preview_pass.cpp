@@ -47,7 +47,7 @@ void PreviewPass::drawBounds(PassContext& context) {
   context.triangle.draw();
 }
 
-void PreviewPass::draw(PassContext& context, const MaskSettings& settings, glm::ivec2 fullSize,
+void PreviewPass::draw(PassContext& context, float refineThreshold, glm::ivec2 fullSize,
                        const gl::Texture2D* geometryEdges) {
   const gl::Scope scope(context.profiler, "mres.preview");
   ensureTargets(fullSize);
@@ -56,7 +56,7 @@ void PreviewPass::draw(PassContext& context, const MaskSettings& settings, glm::
   if (geometryEdges != nullptr) gl::bindTexture(kMaskUnit, geometryEdges->id(), context.nearest);
   const gl::Program& program = geometryEdges != nullptr ? differenceAndGeometry_ : difference_;
   glUseProgram(program.id());
-  glUniform1f(program.uniformLocation("threshold"), settings.refineThreshold);
+  glUniform1f(program.uniformLocation("threshold"), refineThreshold);
   edges_.bind();
   context.triangle.draw();
 }

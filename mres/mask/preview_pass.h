@@ -21,7 +21,7 @@ class PreviewPass {
 
   /// Needs the effect, depth, normals and the frame's block bound. `geometryEdges` are taken in where they
   /// are given.
-  void draw(PassContext& context, const MaskSettings& settings, glm::ivec2 fullSize,
+  void draw(PassContext& context, float refineThreshold, glm::ivec2 fullSize,
             const gl::Texture2D* geometryEdges);
 
   /// GL_RG8, ceil(size / 2): red the effect's edges, green the geometry's.

@@ -18,7 +18,7 @@ EdgeImages drawEdges(const PlannedFrame& planned, const params::FrameParams& par
   PreviewPass& preview = planned.passes.preview;
   if (!preview || planned.settings.mask.geometryAlways) edges.geometry = &drawGeometryEdges(planned, params);
   if (!preview) return edges;
-  preview.draw(planned.context, planned.settings.mask, params.size, edges.geometry);
+  preview.draw(planned.context, planned.refineThreshold(), params.size, edges.geometry);
   edges.effect = &preview.edges();
   return edges;
 }

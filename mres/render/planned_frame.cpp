@@ -2,16 +2,20 @@
 
 namespace mres {
 
+float PlannedFrame::refineThreshold() const {
+  return settings.mask.errorBudget * MaskSettings::kDifferencePerError;
+}
+
 LevelRole PlannedFrame::roleOf(std::size_t planned) const {
   if (isDisjoint()) return LevelRole::zoned;
   if (isCoarsest(planned)) return LevelRole::coarsest;
   if (isByMasks()) return LevelRole::masked;
-  return planned > 0 && settings.mask.refineThreshold > 0.0f ? LevelRole::refinable : LevelRole::zoned;
+  return planned > 0 && settings.mask.errorBudget > 0.0f ? LevelRole::refinable : LevelRole::zoned;
 }
 
 ZoneRule PlannedFrame::zoneRuleOf(std::size_t planned) const {
   if (isByMasks()) return ZoneRule::mask;
-  if (isDisjoint() || settings.mask.refineThreshold == 0.0f) return ZoneRule::edges;
+  if (isDisjoint() || settings.mask.errorBudget == 0.0f) return ZoneRule::edges;
   if (roleOf(planned + 1) == LevelRole::coarsest) return ZoneRule::edgesOrBends;
   return planned == 0 ? ZoneRule::difference : ZoneRule::edgesOrDifference;
 }
@@ -32,7 +36,7 @@ void PlannedFrame::prepareLevels() const {
     const LevelNeighbours neighbours{level(i), isCoarsest(i) ? nullptr : &level(i + 1),
                                      passes.effect.effect().filtered};
     targets(i).ensure(passes.effect.effect(), level(i).size, roleOf(i));
-    targets(i).params().upload(levelParams(neighbours, fullSize, settings.mask.refineThreshold));
+    targets(i).params().upload(levelParams(neighbours, fullSize, refineThreshold()));
   }
 }
 

@@ -20,6 +20,8 @@ struct PlannedFrame {
   [[nodiscard]] bool isDisjoint() const { return settings.mask.disjoint && hasMasks(); }
   /// Whether blurred masks say where levels render, as the paper has it.
   [[nodiscard]] bool isByMasks() const { return settings.technique == Technique::paper; }
+  /// The difference between levels that a finer level is rendered for.
+  [[nodiscard]] float refineThreshold() const;
   [[nodiscard]] LevelRole roleOf(std::size_t planned) const;
   [[nodiscard]] ZoneRule zoneRuleOf(std::size_t planned) const;
   [[nodiscard]] ZoneInputs zoneInputs(std::size_t planned) const;

@@ -82,10 +82,10 @@ TEST_F(Command, TheShadowMapsSizeShowsInTheShadows) {
 TEST_F(Command, AnImportanceSaysWhereToRefine) {
   const std::string left = folder_ / "left.png";
   writeImage(left, {{2, 1}, 1, {1.0f, 0.0f}});
-  const json either = untimedComparison({"--importance", left, "--set", "refineThreshold=0"});
+  const json either = untimedComparison({"--importance", left, "--set", "errorBudget=0"});
   const json both =
-      untimedComparison({"--importance", left, "--set", "refineThreshold=0", "--set", "combination=1"});
-  const json edges = untimedComparison({"--set", "refineThreshold=0"});
+      untimedComparison({"--importance", left, "--set", "errorBudget=0", "--set", "combination=1"});
+  const json edges = untimedComparison({"--set", "errorBudget=0"});
   EXPECT_GT(either["coverage"][0], edges["coverage"][0]);
   EXPECT_LT(both["coverage"][0], edges["coverage"][0]);
   EXPECT_EQ(either["settings"]["importance"], left);

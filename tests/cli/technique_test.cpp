@@ -41,8 +41,8 @@ TEST_F(LevelChoice, ByThePapersMasks) {
 }
 
 TEST_F(LevelChoice, ByMinMaxMips) {
-  const json mips = comparison({"--set", "minMaxMips=1", "--set", "refineThreshold=0"});
-  const json derivatives = comparison({"--set", "minMaxMips=0", "--set", "refineThreshold=0"});
+  const json mips = comparison({"--set", "minMaxMips=1", "--set", "errorBudget=0"});
+  const json derivatives = comparison({"--set", "minMaxMips=0", "--set", "errorBudget=0"});
   EXPECT_EQ(mips["settings"]["minMaxMips"], true);
   EXPECT_EQ(derivatives["settings"]["minMaxMips"], false);
   EXPECT_EQ(mips["coverage"].back(), 1.0) << "the coarsest level renders the whole screen";

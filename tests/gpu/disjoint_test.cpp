@@ -106,7 +106,7 @@ TEST_F(Disjoint, RefinesAtEveryEdgeWhateverTheThreshold) {
   TestEffect effect({.body = "return vec4(0.25);"});
   EXPECT_GT(coverage(effect, gbuffer.frame()).front(), 0.05);
   const Picture picture = renderPicture(multiResolution_, effect, gbuffer.frame());
-  multiResolution_.settings().mask.refineThreshold = 0.0f;
+  multiResolution_.settings().mask.errorBudget = 0.0f;
   EXPECT_EQ(renderPicture(multiResolution_, effect, gbuffer.frame()), picture);
 }
 

@@ -146,7 +146,7 @@ TEST_F(Importance, ByMinimumLimitsWhatFoldsRefine) {
   const SyntheticGBuffer folded(size_, perspective(size_), curtain(5.0, 1.5, 40.0));
   TestEffect effect(levelNumbers());
   multiResolution_.settings() = {};
-  multiResolution_.settings().mask.refineThreshold = 0.0f;
+  multiResolution_.settings().mask.errorBudget = 0.0f;
   multiResolution_.settings().mask.combination = kCombineByMinimum;
   EXPECT_THAT(picture(effect, folded, nothing_).texels, testing::Each(kCoarsest));
   const Picture byFolds = renderPicture(multiResolution_, effect, folded.frame());

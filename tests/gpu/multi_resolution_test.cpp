@@ -1,5 +1,6 @@
 // The facade: what must hold whatever the effect, the size and the levels.
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <gmock/gmock.h>
 #include <stdexcept>
@@ -150,6 +151,28 @@ TEST_F(MultiResolutionTest, AnEffectWithoutDetailIsNotRefinedBeyondTheHalfLevel)
     ASSERT_EQ(levels.size(), 4u);
     EXPECT_EQ(levels[0].coverage, 0.0);
     EXPECT_GT(levels[1].coverage, 0.1) << "the half level finds out";
+  }
+}
+
+TEST_F(MultiResolutionTest, TheErrorStaysWithinItsBudgetAndMoreBudgetIsLessWork) {
+  const glm::ivec2 size(384, 256);
+  const SyntheticGBuffer gbuffer(size, perspective(size), room());
+  MultiResolution multiResolution({.measureCoverage = true});
+  Ssao ssao({.samples = 32});
+  const Picture reference = full(ssao, gbuffer.frame());
+  double lastWork = 1.0;
+  for (const float budget : {0.0025f, 0.01f, 0.04f}) {
+    SCOPED_TRACE(budget);
+    multiResolution.settings().mask.errorBudget = budget;
+    static_cast<void>(renderPicture(multiResolution, ssao, gbuffer.frame()));
+    glFinish();
+    const Picture picture = renderPicture(multiResolution, ssao, gbuffer.frame());
+    EXPECT_LE(rootMeanSquare(picture, reference), budget);
+    double work = 0.0;
+    for (const LevelReport& level : multiResolution.report().levels)
+      work += level.coverage * std::exp2(-2.0 * level.index);
+    EXPECT_LT(work, lastWork);
+    lastWork = work;
   }
 }
 

@@ -20,8 +20,8 @@ TEST_F(MultiResolutionTest, NothingUndefinedIsEverComposited) {
     const SyntheticGBuffer gbuffer(size, perspective(size), room());
     for (unsigned levels = 1; levels < 16; levels += 2) {
       Ssao ssao(ssaoWith(levels, 4));
-      for (const float threshold : {0.0f, 0.02f}) {
-        multiResolution_.settings().mask.refineThreshold = threshold;
+      for (const float budget : {0.0f, 0.0025f}) {
+        multiResolution_.settings().mask.errorBudget = budget;
         const Picture clean = mixed(ssao, gbuffer.frame());
         ASSERT_TRUE(isFinite(clean));
         for (const float poison : {kNan, -60000.0f, 60000.0f}) {
@@ -69,8 +69,8 @@ TEST_F(MultiResolutionTest, AConstantGivesTheSameConstantAtEverySize) {
     const SyntheticGBuffer gbuffer(size, perspective(size), room());
     for (const auto& effect : effects) {
       std::vector<Picture> pictures{full(*effect, gbuffer.frame())};
-      for (const float threshold : {0.0f, MaskSettings{}.refineThreshold}) {
-        multiResolution_.settings().mask.refineThreshold = threshold;
+      for (const float budget : {0.0f, MaskSettings{}.errorBudget}) {
+        multiResolution_.settings().mask.errorBudget = budget;
         pictures.push_back(mixed(*effect, gbuffer.frame()));
       }
       for (const Picture& picture : pictures) {

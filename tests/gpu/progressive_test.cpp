@@ -148,7 +148,7 @@ TEST_F(Progressive, RendersAtEdgesAndWhereCoarserLevelsSayThatItPays) {
         const std::vector<Image> edges = edgesOf(gbuffer.frame(), plan);
         TestEffect effect(valueIn(levels));
         MultiResolution multiResolution;
-        multiResolution.settings().mask.refineThreshold = threshold;
+        multiResolution.settings().mask.errorBudget = threshold / MaskSettings::kDifferencePerError;
         const Picture picture = renderPicture(multiResolution, effect, gbuffer.frame());
         Rule rule{.threshold = static_cast<double>(threshold)};
         const Picture expected = composeAll(plan, edges, rule);
@@ -186,7 +186,7 @@ TEST_F(Progressive, ComparesRadiancesByTheirContrast) {
                        .channels = 3,
                        .levels = levels});
     MultiResolution multiResolution;
-    multiResolution.settings().mask.refineThreshold = 0.15f;
+    multiResolution.settings().mask.errorBudget = 0.15f / MaskSettings::kDifferencePerError;
     const Picture picture = renderPicture(multiResolution, effect, gbuffer.frame());
     Picture values;
     for (std::size_t i = 1; i < picture.size(); i += 3)
@@ -243,7 +243,7 @@ TEST_F(Progressive, WithAThresholdOfZeroEdgesAloneDecide) {
   const glm::ivec2 size(192, 128);
   const SyntheticGBuffer gbuffer(size, perspective(size), room());
   MultiResolution multiResolution({.measureCoverage = true});
-  multiResolution.settings().mask.refineThreshold = 0.0f;
+  multiResolution.settings().mask.errorBudget = 0.0f;
   TestEffect effect({.body = "return vec4(0.37);", .levels = unblurred(15)});
   for (int frame = 0; frame < 2; ++frame) {
     multiResolution.render(effect, gbuffer.frame());

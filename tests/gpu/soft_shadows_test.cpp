@@ -132,7 +132,7 @@ TEST_F(SoftShadowsTest, BlockersInfinitelyFarFromASpotLightAreNone) {
   const SyntheticShadow shadow(box({-0.5, -0.5, -5.1}, {0.5, 0.5, -5.0}), spot, kMapSize);
   effect_.setSettings({.filterRadius = 0.5f, .contactHardening = true});
   effect_.setInputs(shadow.inputs());
-  multiResolution_.settings().technique = Technique::full;  // levels may differ from it by refineThreshold
+  multiResolution_.settings().technique = Technique::full;  // levels may differ from it
   const Image image{kSize, 1, renderPicture(multiResolution_, effect_, gbuffer.frame())};
   EXPECT_LT(image.at(pixelAt({0.0, 0.0, -6.0})), 0.02f);
   EXPECT_LT(image.at(pixelAt({0.75, 0.0, -6.0})), 0.02f) << "the search for blockers sees past them";
