@@ -9,7 +9,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 try:
     import numpy
 except ImportError:
-    print("Skipped: numpy is not installed; ./dev peers installs it for Debian's own python3.")
+    print("Skipped: numpy is not installed; ./dev setup installs it for Debian's own python3.")
     sys.exit(77)
 import measures  # noqa: E402: found by the lines above
 import table  # noqa: E402
