@@ -62,6 +62,7 @@ mres::MultiResolution makeMultiResolution(const PictureSettings& settings, mres:
   options.measureCoverage = coverage == EffectInstance::Coverage::measured;
   mres::MultiResolution multiResolution(options);
   multiResolution.settings().technique = technique;
+  multiResolution.settings().plan = settings.plan;
   multiResolution.settings().mask = settings.mask;
   return multiResolution;
 }
@@ -121,6 +122,17 @@ GLuint EffectInstance::render(mres::Frame frame) {
   return multiResolution_.render(*effect_, frame);
 }
 
+std::optional<mres::Costs> EffectInstance::calibrate(mres::Frame frame) {
+  if (!mayFallBack()) return std::nullopt;
+  frame.importance = importance_.id();
+  return multiResolution_.calibrate(*effect_, frame);
+}
+
+bool EffectInstance::mayFallBack() {
+  const mres::Settings& settings = multiResolution_.settings();
+  return settings.technique == mres::Technique::multiResolution && settings.plan.fallBack;
+}
+
 mres::Frame frameOf(const Renderer& renderer, const GBufferTextures& gbuffer, glm::ivec2 size) {
   mres::Frame frame;
   frame.depth = gbuffer.depth;
@@ -146,6 +158,7 @@ void inspect(EffectInstance& instance, const mres::Frame& frame, StageClock cloc
   for (const mres::Skip& skip : report.skipped)
     measurement.skipped.push_back({std::string(skip.what), std::string(skip.reason)});
   measurement.gpuBytes = report.bytes;
+  measurement.plan = report.plan;
 }
 
 }  // namespace host

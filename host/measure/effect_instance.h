@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "host/measure/measurement.h"
 #include "host/measure/picture_settings.h"
@@ -27,7 +28,14 @@ class EffectInstance {
   GLuint render(mres::Frame frame);
   mres::MultiResolution& multiResolution() { return multiResolution_; }
 
+  /// What the frame takes on this device, so that the faster plan renders; none where there is no choice.
+  std::optional<mres::Costs> calibrate(mres::Frame frame);
+  /// Takes those of an instance of the same settings; none: levels render.
+  void setCosts(const std::optional<mres::Costs>& costs) { multiResolution_.setCosts(*effect_, costs); }
+
  private:
+  [[nodiscard]] bool mayFallBack();
+
   std::unique_ptr<mres::Effect> effect_;
   mres::MultiResolution multiResolution_;
   mres::gl::Texture2D importance_;

@@ -16,6 +16,7 @@ namespace host {
 struct PictureSettings {
   std::string effect = "ssao";  ///< one of effectNames(), or kNoEffect
   mres::Technique technique = mres::Technique::multiResolution;
+  mres::PlanSettings plan;
   mres::MaskSettings mask;
   mres::SsaoSettings ssao;
   mres::SoftShadowSettings softShadows;
