@@ -1,6 +1,5 @@
 #include "mres/composite/composite_pass.h"
 
-#include <array>
 #include <string>
 
 #include "mres/mask/zone_pass.h"
@@ -39,11 +38,7 @@ const gl::Texture2D& CompositePass::filterAlongX(PassContext& context, const Lev
   if (!filtered_) return level.raw().color();
   const gl::Scope scope(context.profiler, "mres.filter");
   level.filteredAlongX().bind();
-  if (level.role() != LevelRole::coarsest) {
-    constexpr std::array<float, 4> kUndefined{};
-    glClearBufferfv(GL_COLOR, 0, kUndefined.data());
-    drawInZone();
-  }
+  if (level.role() != LevelRole::coarsest) clearAndDrawInZone();
   gl::bindTexture(kSourceUnit, level.raw().color().id(), context.nearest);
   glUseProgram(filter_.id());
   context.triangle.draw();

@@ -16,12 +16,11 @@ void DisjointPass::startCoarsest(const LevelTargets& level) {
 }
 
 void DisjointPass::drawOutsideZone(PassContext& context, const LevelTargets& level, const gl::Texture2D& zone,
-                                   const gl::Texture2D& coarser, int coarserLevel) {
+                                   const gl::Texture2D& coarser) {
   const gl::Scope scope(context.profiler, "mres.upsample");
   gl::bindTexture(kZoneUnit, zone.id(), context.nearest);
   gl::bindTexture(kCoarserUnit, coarser.id(), context.nearest);
   glUseProgram(outside_.id());
-  glUniform1i(outside_.uniformLocation("coarserStride"), 1 << coarserLevel);
   level.composed().bind();
   startZone();
   context.triangle.draw();

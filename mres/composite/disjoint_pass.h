@@ -16,7 +16,7 @@ class DisjointPass {
 
   /// Like CompositePass::drawOutsideZone(), of the coarser picture where there is one.
   void drawOutsideZone(PassContext& context, const LevelTargets& level, const gl::Texture2D& zone,
-                       const gl::Texture2D& coarser, int coarserLevel);
+                       const gl::Texture2D& coarser);
 
   /// Takes what the zone of a finer level covers from the zone of `level`.
   void takeFiner(PassContext& context, const LevelTargets& level, const gl::Texture2D& finerZone,

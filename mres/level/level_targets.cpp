@@ -8,23 +8,27 @@ bool isJittered(const PlannedLevel& level, bool filtered) {
   return filtered && level.index > 0 && level.settings.noisePeriod % 2 == 0;
 }
 
-/// By how much jitter moves the mean, from the pixel up and right of a block's centre to the centre.
-float jitterShift(const PlannedLevel& level, bool filtered) {
-  return isJittered(level, filtered) ? 0.5f : 0.0f;
-}
-
 /// Where a size is no multiple of the stride, the coarser level's last pixel is evaluated at the last pixel
 /// of the screen, nearer to its neighbour than the others are: how pixels in between count
 /// (LevelParams::lastInterval).
-glm::vec4 lastInterval(const PlannedLevel& coarser, float shift, glm::ivec2 fullSize) {
+glm::vec4 lastInterval(const PlannedLevel& coarser, int jitter, glm::ivec2 fullSize) {
   const int stride = 1 << coarser.index;
   const auto regular = static_cast<float>(stride);
-  const glm::vec2 beforeLast = glm::vec2((coarser.size - 2) * stride + stride / 2) - shift;
+  const float meanOfJitter = 0.5f * static_cast<float>(jitter);
+  const glm::vec2 beforeLast = glm::vec2((coarser.size - 2) * stride + stride / 2) - meanOfJitter;
   const glm::vec2 length = glm::min(glm::vec2(regular), glm::vec2(fullSize - 1) - beforeLast);
   return {beforeLast, regular / length - 1.0f};
 }
 
 }  // namespace
+
+GLenum levelFormat(const EffectDescription& effect) {
+  return effect.channels == 1 ? GL_RG16F : GL_RGBA16F;
+}
+
+GLenum resultFormat(const EffectDescription& effect) {
+  return effect.channels == 1 ? GL_R16F : GL_RGBA16F;
+}
 
 void LevelTargets::ensure(const EffectDescription& effect, glm::ivec2 size, LevelRole role) {
   if (targets_.raw.size() != size || !serves(role)) {
@@ -41,8 +45,6 @@ bool LevelTargets::serves(LevelRole role) const {
 }
 
 LevelTargets::Targets LevelTargets::make(const EffectDescription& effect, glm::ivec2 size, LevelRole role) {
-  const GLenum rawFormat = effect.channels == 1 ? GL_RG16F : GL_RGBA16F;
-  const GLenum resultFormat = effect.channels == 1 ? GL_R16F : GL_RGBA16F;
   const bool zoned = role != LevelRole::coarsest;
   Targets targets;
   if (zoned) targets.stencil = gl::StencilBuffer(size, "mres.stencil");
@@ -50,10 +52,11 @@ LevelTargets::Targets LevelTargets::make(const EffectDescription& effect, glm::i
     return zoned ? gl::RenderTarget(size, formats, targets.stencil, label)
                  : gl::RenderTarget(size, formats, 0, label);
   };
-  targets.raw = makeTarget({rawFormat}, "mres.level");
-  if (effect.filtered) targets.filteredAlongX = makeTarget({rawFormat}, "mres.filter");
-  targets.composed = role == LevelRole::refinable ? makeTarget({resultFormat, GL_R8}, "mres.composite")
-                                                  : makeTarget({resultFormat}, "mres.composite");
+  targets.raw = makeTarget({levelFormat(effect)}, "mres.level");
+  if (effect.filtered) targets.filteredAlongX = makeTarget({levelFormat(effect)}, "mres.filter");
+  targets.composed = role == LevelRole::refinable
+                         ? makeTarget({resultFormat(effect), GL_R8}, "mres.composite")
+                         : makeTarget({resultFormat(effect)}, "mres.composite");
   return targets;
 }
 
@@ -77,8 +80,9 @@ params::LevelParams levelParams(const LevelNeighbours& level, glm::ivec2 fullSiz
     // lies at texel (x - stride / 2 + shift) / stride; texel centres are half a texel on, which cancels.
     const PlannedLevel& coarser = *level.coarser;
     params.coarserFromPixel = 1.0f / (static_cast<float>(1 << coarser.index) * glm::vec2(coarser.size));
-    params.coarserShift = jitterShift(coarser, level.filtered);
-    params.lastInterval = lastInterval(coarser, params.coarserShift, fullSize);
+    params.coarserStride = 1 << coarser.index;
+    params.coarserJitter = isJittered(coarser, level.filtered) ? 1 : 0;
+    params.lastInterval = lastInterval(coarser, params.coarserJitter, fullSize);
   }
   params.maskFromPixel =
       1.0f / (static_cast<float>(2 * stride) * glm::vec2(levelSize(fullSize, level.level.index + 1)));

@@ -8,6 +8,12 @@
 
 namespace mres {
 
+/// Of an effect's values with their filter depth.
+GLenum levelFormat(const EffectDescription& effect);
+
+/// Of an effect's values alone.
+GLenum resultFormat(const EffectDescription& effect);
+
 /// A level's place among those that a frame renders. A frame of one level has the coarsest alone.
 enum class LevelRole {
   zoned,      ///< renders in its zone

@@ -1,5 +1,6 @@
 #include "mres/mask/zone_pass.h"
 
+#include <array>
 #include <string>
 
 namespace mres {
@@ -91,6 +92,12 @@ void drawInZone() {
   glEnable(GL_STENCIL_TEST);
   glStencilFunc(GL_EQUAL, kZone, 0xFF);
   glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+}
+
+void clearAndDrawInZone() {
+  constexpr std::array<float, 4> kUndefined{};
+  glClearBufferfv(GL_COLOR, 0, kUndefined.data());
+  drawInZone();
 }
 
 }  // namespace mres

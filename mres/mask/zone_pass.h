@@ -49,4 +49,8 @@ void drawOutOfZone();
 /// Draws pass only in the zone, and leave the stencil as it is.
 void drawInZone();
 
+/// The same, into a target bound that is emptied: filter depth 0 marks what was not rendered, so that the
+/// filter never reads it.
+void clearAndDrawInZone();
+
 }  // namespace mres

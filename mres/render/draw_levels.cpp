@@ -49,7 +49,7 @@ void startDisjointLevel(const PlannedFrame& planned, std::size_t level) {
     disjoint.startCoarsest(targets);
   else
     disjoint.drawOutsideZone(planned.context, targets, planned.zone(level),
-                             planned.targets(level + 1).composed().color(), planned.level(level + 1).index);
+                             planned.targets(level + 1).composed().color());
   if (level > 0)
     disjoint.takeFiner(planned.context, targets, planned.zone(level - 1), planned.level(level - 1).index);
 }

@@ -5,6 +5,7 @@
 // of its outermost blocks. FILTERED: whether the effect is filtered. COARSEST: there is no coarser level. REFINABLE: a finer level
 // follows and wants to know where this one changed the picture.
 #include "mres/filter.glsl"
+#include "mres/level_texel.glsl"
 
 uniform sampler2D coarserTexture;
 uniform sampler2D maskTexture;
@@ -17,7 +18,7 @@ layout(location = 1) out float refine;
 
 void main() {
     ivec2 levelPixel = ivec2(gl_FragCoord.xy);
-    vec4 texel = texelFetch(levelTexture, levelPixel, 0);
+    vec4 texel = levelTexel(levelPixel);
 #if FILTERED
     Value value = filterAlong(ivec2(0, 1), levelPixel, texel);
 #else

@@ -1,31 +1,9 @@
 #version 330 core
-// Runs an effect's shade() in the pixels of one level. EFFECT_CHANNELS is 1 or 3.
-#include "mres/filter_depth.glsl"
-#include "mres/surface.glsl"
-#include "effect"
-
-uniform vec4 backgroundValue;
+// Runs an effect's shade() in the pixels of one level.
+#include "mres/effect_texel.glsl"
 
 out vec4 fragment;
 
-// A single NaN or infinity would spread through the filter and to every finer level.
-bool isUsable(vec4 value) {
-#if EFFECT_CHANNELS == 1
-    return !isnan(value.r) && !isinf(value.r);
-#else
-    return !any(isnan(value.rgb)) && !any(isinf(value.rgb));
-#endif
-}
-
 void main() {
-    Surface surface = fetchSurface(ivec2(gl_FragCoord.xy));
-    vec4 value = shade(surface);
-    if (surface.background || !isUsable(value)) value = backgroundValue;
-    value = clamp(value, -kLargestHalf, kLargestHalf);
-    float depth = surface.background ? kBackgroundFilterDepth : filterDepthOf(surface.depth);
-#if EFFECT_CHANNELS == 1
-    fragment = vec4(value.r, depth, 0.0, 0.0);
-#else
-    fragment = vec4(value.rgb, depth);
-#endif
+    fragment = effectTexel(ivec2(gl_FragCoord.xy));
 }

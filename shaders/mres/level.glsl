@@ -11,6 +11,11 @@ ivec2 representativePixel(ivec2 levelPixel, ivec2 fullSize) {
     return min(levelPixel * levelStride + levelHalfStride - (levelPixel.yx & levelJitter), fullSize - 1);
 }
 
+// That of a pixel of the coarser level.
+ivec2 coarserRepresentativePixel(ivec2 coarserPixel, ivec2 fullSize) {
+    return min(coarserPixel * coarserStride + (coarserStride >> 1) - (coarserPixel.yx & coarserJitter), fullSize - 1);
+}
+
 // The full-resolution pixel that a level pixel's value is of, which may lie between pixels: the filter takes the mean over
 // the jitter. Where it finds no neighbours, beyond steps, values are half a pixel off. The upsampling below knows where each
 // value of the coarser level sits.
@@ -20,7 +25,8 @@ vec2 placeOf(ivec2 levelPixel, ivec2 fullSize) {
 }
 
 vec2 coarserCoordinate(vec2 place) {
-    return (place + max(place - lastInterval.xy, 0.0) * lastInterval.zw + coarserShift) * coarserFromPixel;
+    vec2 between = max(place - lastInterval.xy, 0.0) * lastInterval.zw;
+    return (place + between + 0.5 * float(coarserJitter)) * coarserFromPixel;
 }
 
 // Bilinear samples at the corners of a block no larger than two texels see every texel that one inside of it may see.

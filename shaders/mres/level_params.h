@@ -18,8 +18,8 @@ UNIFORM_BLOCK(LevelParams) {
     vec4 lastInterval;     // the last texel of the coarser level stands nearer: beyond pixel .xy, pixels count .zw more
     int noisePeriod;       // pixels of this level after which what is random repeats, 1..4
     int levelJitter;       // 1: pixels are evaluated by turns at the four around their block's centre; 0: all at one of them
-    float coarserShift;    // full-resolution pixels by which its jitter moves the coarser level's values, down and left
-    float levelPadding;
+    int coarserJitter;     // levelJitter of the coarser level, whose values it moves half a pixel down and left
+    int coarserStride;     // levelStride of the coarser level
 };
 
 END_PARAMS

@@ -1,10 +1,13 @@
-// An effect's value as its textures hold it: accessibility or visibility in one channel, radiance in three.
+// An effect's value as its textures hold it: accessibility or visibility in one channel, radiance in three. The filter's
+// depth (mres/filter_depth.glsl) comes next, in the textures that have it.
 #if EFFECT_CHANNELS == 1
 #define Value float
 #define VALUE(texel) texel.r
+#define FILTER_DEPTH(texel) texel.g
 #else
 #define Value vec3
 #define VALUE(texel) texel.rgb
+#define FILTER_DEPTH(texel) texel.a
 #endif
 
 // How much the difference of two values shows.

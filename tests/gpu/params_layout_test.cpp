@@ -36,7 +36,7 @@ std::vector<ParamsBlock> allBlocks() {
         MEMBER(LevelParams, maskFromPixel), MEMBER(LevelParams, blendWeight),
         MEMBER(LevelParams, refineThreshold), MEMBER(LevelParams, zoneFromPixel),
         MEMBER(LevelParams, lastInterval), MEMBER(LevelParams, noisePeriod), MEMBER(LevelParams, levelJitter),
-        MEMBER(LevelParams, coarserShift), MEMBER(LevelParams, levelPadding)}},
+        MEMBER(LevelParams, coarserJitter), MEMBER(LevelParams, coarserStride)}},
       {"mres/edges_params.h",
        "EdgesParams",
        sizeof(params::EdgesParams),
