@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <epoxy/gl.h>
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 
 #include "mres/frame.h"
@@ -44,6 +45,12 @@ void visit(LevelSettings& settings, Visitor&& visitor) {
   visitor("noisePeriod", settings.noisePeriod,
           SettingInfo{"pixels", 1.0, 4.0, "After how many of the level's pixels what is random repeats."});
 }
+
+/// What an effect is at every pixel, and why: a string literal such as "there is no light".
+struct Constant {
+  glm::vec4 value{0.0f};
+  const char* reason = "";
+};
 
 using LevelTable = std::array<LevelSettings, kMaxLevels>;
 
@@ -99,6 +106,10 @@ class Effect {
   /// The value where there is no surface, in this frame. Where detail is too thin for a coarse level, it
   /// takes part of its value from what lies behind: let that be what the effect is in the open.
   [[nodiscard]] virtual glm::vec4 background() const { return description().background; }
+
+  /// If the effect's settings and inputs make it the same at every pixel, exactly, background included: then
+  /// nothing is rendered.
+  [[nodiscard]] virtual std::optional<Constant> constant() const { return std::nullopt; }
 
   /// Of GPU memory that the effect itself holds, such as targets that bind() draws into.
   [[nodiscard]] virtual std::size_t bytes() const { return 0; }

@@ -10,6 +10,7 @@
 //  - A pixel whose window depth is that of the far plane is background and has no surface.
 #pragma once
 
+#include <cstdint>
 #include <epoxy/gl.h>
 #include <glm/glm.hpp>
 
@@ -37,6 +38,9 @@ struct Frame {
   /// MaskSettings::combination joins it with the edges. 0: none.
   GLuint importance = 0;
   glm::ivec2 size{0};  ///< pixels, 1..16384 each
+  /// A number of the host's for these depths, normals and this camera, a new one each frame: what is made of
+  /// them alone, depth mips and edges, is then made once for all effects of a frame. 0: once for each.
+  std::uint64_t id = 0;
   /// World to view; a rotation and translation. Unused if the normals are in view space.
   glm::mat4 view{1.0f};
   /// View to clip; perspective or orthographic, may be off-centre; no oblique near plane.

@@ -56,9 +56,11 @@ struct MultiResolution::Implementation {
   void bindEffect(Effect& effect, const Frame& frame);
   EffectPasses& passesOf(Effect& effect);
   void bindFrame(const Frame& frame, params::FrameParams& params);
+  void draw(const PlannedFrame& planned, Effect& effect, const Frame& frame,
+            const params::FrameParams& params);
   [[nodiscard]] double workOf(EffectPasses& passes) const;
   void learn(EffectPasses& passes);
-  void fillReport(EffectPasses& passes, const Settings& by);
+  void fillReport(EffectPasses& passes, const Settings& by, bool isConstant);
 
   Settings settings;
   bool measureCoverage;
@@ -96,6 +98,17 @@ void MultiResolution::Implementation::bindEffect(Effect& effect, const Frame& fr
   effect.bind(frame);
 }
 
+void MultiResolution::Implementation::draw(const PlannedFrame& planned, Effect& effect, const Frame& frame,
+                                           const params::FrameParams& params) {
+  constexpr const char* kShared = "another effect of the frame has made it";
+  if (effect.description().readsPyramid && !shared->pyramid.draw(context, frame))
+    plan.skipped.push_back({"depth", kShared});
+  bindEffect(effect, frame);
+  if (planned.hasMasks()) edges = drawMasks(planned, frame, params);
+  if (edges.areShared) plan.skipped.push_back({"edges", kShared});
+  drawLevels(planned);
+}
+
 GLuint MultiResolution::Implementation::render(Effect& effect, const Frame& frame, const Settings& by,
                                                bool measuringCoverage) {
   params::FrameParams params = frameParams(frame);
@@ -106,16 +119,19 @@ GLuint MultiResolution::Implementation::render(Effect& effect, const Frame& fram
   context.profiler.beginFrame();
   EffectPasses& passes = passesOf(effect);
   pictured = nullptr;
-  plan = planLevels(by.technique, effect.levels(), frame.size, fallsBack(by, passes.chooser));
+  const std::optional<Constant> constant = effect.constant();
+  plan = constant ? planConstant(frame.size, constant->reason)
+                  : planLevels(by.technique, effect.levels(), frame.size, fallsBack(by, passes.chooser));
   const PlannedFrame planned{context, by, plan, *shared, passes, measuringCoverage};
   planned.prepareLevels();
-  if (effect.description().readsPyramid) shared->pyramid.draw(context, frame.size);
-  bindEffect(effect, frame);
-  edges = planned.hasMasks() ? drawMasks(planned, frame, params) : EdgeImages{};
-  drawLevels(planned);
+  edges = {};
+  if (constant)
+    planned.targets(0).composed().fill(constant->value);
+  else
+    draw(planned, effect, frame, params);
   context.profiler.endFrame();
-  fillReport(passes, by);
-  if (by.technique == Technique::multiResolution) learn(passes);
+  fillReport(passes, by, constant.has_value());
+  if (by.technique == Technique::multiResolution && !constant) learn(passes);
   report.bytes += effect.bytes();
   pictured = &passes;
   return planned.targets(0).composed().color().id();
@@ -143,12 +159,14 @@ void MultiResolution::Implementation::learn(EffectPasses& passes) {
 Costs MultiResolution::Implementation::calibrate(Effect& effect, const Frame& frame) {
   Settings by = settings;
   by.plan.fallBack = false;
+  Frame alone = frame;
+  alone.id = 0;  // or all but the first would be given what that one made
   const char* const name = effect.description().name;
   const Costs costs = measureCosts({.profiler = context.profiler,
                                     .render =
                                         [&](Technique technique) {
                                           by.technique = technique;
-                                          render(effect, frame, by, technique == Technique::multiResolution);
+                                          render(effect, alone, by, technique == Technique::multiResolution);
                                         },
                                     .work = [&] { return workOf(effects.find(name)->second); },
                                     .pixels = pixelCount(frame.size)});
@@ -156,12 +174,12 @@ Costs MultiResolution::Implementation::calibrate(Effect& effect, const Frame& fr
   return costs;
 }
 
-void MultiResolution::Implementation::fillReport(EffectPasses& passes, const Settings& by) {
+void MultiResolution::Implementation::fillReport(EffectPasses& passes, const Settings& by, bool isConstant) {
   report.technique = plan.levels.size() > 1 ? by.technique : Technique::full;
   report.plan = {fallsBack(by, passes.chooser), reasonOf(by, passes.chooser), passes.chooser.costs()};
   report.levels.clear();
   for (const PlannedLevel& level : plan.levels) {
-    report.levels.push_back({level.index, level.size, passes.coverage.of(level.index)});
+    report.levels.push_back({level.index, level.size, isConstant ? 0.0 : passes.coverage.of(level.index)});
   }
   report.skipped.assign(plan.skipped.begin(), plan.skipped.end());
   report.stages = context.profiler.stages();

@@ -127,6 +127,11 @@ void SoftShadows::setUp(const gl::Program& program) {
   program.setTextureUnit("shadowMap", kEffectTextureUnit);
 }
 
+std::optional<Constant> SoftShadows::constant() const {
+  if (inputs_.shadowMap != 0) return std::nullopt;
+  return Constant{glm::vec4(1.0f), "there is no shadow map"};
+}
+
 void SoftShadows::bind(const Frame& /*frame*/) {
   if (!samplesUploaded_) resources_->samples.upload(makeSamples(settings_));
   samplesUploaded_ = true;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "mres/effect.h"
 #include "mres/settings.h"
@@ -82,6 +83,7 @@ class SoftShadows final : public Effect {
   [[nodiscard]] const LevelTable& levels() const override { return settings_.levels; }
   void setUp(const gl::Program& program) override;
   void bind(const Frame& frame) override;
+  [[nodiscard]] std::optional<Constant> constant() const override;
 
  private:
   struct Resources;

@@ -58,6 +58,11 @@ void Ssao::setUp(const gl::Program& program) {
   program.setBlockBinding("SsaoParams", kEffectBlockBinding);
 }
 
+std::optional<Constant> Ssao::constant() const {
+  if (settings_.intensity > 0.0f) return std::nullopt;
+  return Constant{glm::vec4(1.0f), "an intensity of 0 shows nothing"};
+}
+
 void Ssao::bind(const Frame& /*frame*/) {
   if (!uploaded_) block_->params.upload(makeParams(settings_));
   uploaded_ = true;

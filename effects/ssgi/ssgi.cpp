@@ -145,6 +145,13 @@ glm::vec4 Ssgi::background() const {
   return {0.5f * (inputs_.environmentAbove + inputs_.environmentBelow), 0.0f};
 }
 
+std::optional<Constant> Ssgi::constant() const {
+  const bool bounces = inputs_.radiance != 0 && settings_.intensity > 0.0f && inputs_.radianceScale > 0.0f;
+  const bool dark = inputs_.environmentAbove + inputs_.environmentBelow == glm::vec3(0.0f);
+  if (bounces || !dark) return std::nullopt;
+  return Constant{glm::vec4(0.0f), "nothing sends light"};
+}
+
 std::size_t Ssgi::bytes() const {
   return resources_->morePoints.bytes() + (resources_->senders ? resources_->senders->bytes() : 0);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "mres/effect.h"
 #include "mres/settings.h"
@@ -73,6 +74,7 @@ class Ssgi final : public Effect {
   void setUp(const gl::Program& program) override;
   void bind(const Frame& frame) override;
   [[nodiscard]] glm::vec4 background() const override;
+  [[nodiscard]] std::optional<Constant> constant() const override;
   [[nodiscard]] std::size_t bytes() const override;
 
  private:

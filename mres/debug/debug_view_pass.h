@@ -11,6 +11,7 @@ namespace mres {
 struct EdgeImages {
   const gl::Texture2D* geometry = nullptr;
   const gl::Texture2D* effect = nullptr;
+  bool areShared = false;  ///< the geometry's were those of another effect of the frame
 };
 
 /// Draws pictures of the decision that the last frame made.

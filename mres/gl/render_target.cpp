@@ -104,11 +104,10 @@ void RenderTarget::bind() const {
   glViewport(0, 0, size_.x, size_.y);
 }
 
-void RenderTarget::fill(float value) const {
+void RenderTarget::fill(glm::vec4 value) const {
   if (colors_.empty()) return;
   bind();
-  const glm::vec4 texel(value);
-  for (std::size_t i = 0; i < colors_.size(); ++i) glClearBufferfv(GL_COLOR, static_cast<GLint>(i), &texel.x);
+  for (std::size_t i = 0; i < colors_.size(); ++i) glClearBufferfv(GL_COLOR, static_cast<GLint>(i), &value.x);
 }
 
 std::size_t RenderTarget::bytes() const {

@@ -42,8 +42,9 @@ class RenderTarget {
 
   /// Binds it for drawing with the viewport over all of it.
   void bind() const;
-  /// Gives every colour texture `value` in all channels; binds it as bind() does. Nothing if there are none.
-  void fill(float value) const;
+  /// Gives every colour texture `value`; binds it as bind() does. Nothing if there are none.
+  void fill(glm::vec4 value) const;
+  void fill(float value) const { fill(glm::vec4(value)); }
   [[nodiscard]] const Texture2D& color(std::size_t index = 0) const { return colors_.at(index); }
   [[nodiscard]] const Texture2D& depthStencil() const { return depthStencil_; }
   [[nodiscard]] glm::ivec2 size() const { return size_; }

@@ -38,7 +38,8 @@ void DepthPyramid::resize(glm::ivec2 fullSize) {
   framebuffers_ = std::move(framebuffers);
 }
 
-void DepthPyramid::fill(float value) const {
+void DepthPyramid::fill(float value) {
+  frame_ = 0;
   const glm::vec4 texel(value);
   for (const gl::FramebufferName& framebuffer : framebuffers_) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
@@ -46,17 +47,21 @@ void DepthPyramid::fill(float value) const {
   }
 }
 
-void DepthPyramid::draw(PassContext& context, glm::ivec2 fullSize) {
+bool DepthPyramid::draw(PassContext& context, const Frame& frame) {
+  const bool resized = texture_.size() != frame.size;
+  if (!resized && frame.id != 0 && frame.id == frame_) return false;
   const gl::Scope scope(context.profiler, kLabel);
-  if (texture_.size() != fullSize) resize(fullSize);
+  if (resized) resize(frame.size);
+  frame_ = frame.id;
   glUseProgram(program_.id());
   for (int mip = 0; mip < texture_.levels(); ++mip) {
-    const glm::ivec2 size = glm::max(fullSize >> mip, glm::ivec2(1));
+    const glm::ivec2 size = glm::max(frame.size >> mip, glm::ivec2(1));
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffers_[static_cast<std::size_t>(mip)].id());
     glViewport(0, 0, size.x, size.y);
     glUniform1i(levelLocation_, mip);
     context.triangle.draw();
   }
+  return true;
 }
 
 }  // namespace mres

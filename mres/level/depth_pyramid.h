@@ -17,11 +17,12 @@ class DepthPyramid {
  public:
   explicit DepthPyramid(const gl::ShaderLibrary& library);
 
-  /// Needs depth bound to its unit and the frame's block bound.
-  void draw(PassContext& context, glm::ivec2 fullSize);
+  /// Needs depth bound to its unit and the frame's block bound. Returns false, and draws nothing, if it has
+  /// that of this frame (Frame::id).
+  bool draw(PassContext& context, const Frame& frame);
 
   /// Fills every mip with `value`.
-  void fill(float value) const;
+  void fill(float value);
 
   [[nodiscard]] const gl::Texture2D& texture() const { return texture_; }
   [[nodiscard]] std::size_t bytes() const { return texture_.bytes(); }
@@ -32,6 +33,7 @@ class DepthPyramid {
   gl::Program program_;
   GLint levelLocation_;
   gl::Texture2D texture_;
+  std::uint64_t frame_ = 0;                        // that it is of
   std::vector<gl::FramebufferName> framebuffers_;  // one a mip
 };
 

@@ -62,7 +62,10 @@ enum class ZoneRule {
   edges,              ///< its edges
   edgesOrBends,       ///< its edges, and where the coarser level, the coarsest, bends
   edgesOrDifference,  ///< its edges, and where the coarser level differed from what is coarser still
-  difference          ///< the last alone
+  /// As edgesOrDifference, but edges of normals count only where the coarser level's picture varies, or where
+  /// some of what is seen there faces as nothing does that the coarser level rendered.
+  shownEdgesOrDifference,
+  difference  ///< where the coarser level differed alone
 };
 
 /// What a level that does not render the whole screen is made from.

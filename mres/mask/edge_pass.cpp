@@ -12,6 +12,10 @@ float normalDifference2(float degrees, float decodeScale) {
   return difference * difference;
 }
 
+bool areSame(const params::EdgesParams& a, const params::EdgesParams& b) {
+  return a.normalDifference2 == b.normalDifference2 && a.depthThreshold == b.depthThreshold;
+}
+
 }  // namespace
 
 params::EdgesParams edgesParams(const MaskSettings& settings, const params::FrameParams& frame) {
@@ -25,19 +29,31 @@ EdgePass::EdgePass(const gl::ShaderLibrary& library)
     : program_(makePassProgram(library, "mres/edges.frag")),
       foldsProgram_(makePassProgram(library, "mres/folds.frag")) {}
 
-void EdgePass::draw(PassContext& context, const MaskSettings& settings, const params::FrameParams& frame) {
-  const gl::Scope scope(context.profiler, "mres.edges");
+bool EdgePass::draw(PassContext& context, const MaskSettings& settings, const params::FrameParams& frame,
+                    std::uint64_t frameId) {
   const glm::ivec2 size = levelSize(frame.size, 1);
+  const params::EdgesParams thresholds = edgesParams(settings, frame);
+  if (target_.size() == size && frameId != 0 && frameId == frame_ && areSame(thresholds, thresholds_))
+    return false;
+  frame_ = frameId;
+  thresholds_ = thresholds;
+  foldsTowards_ = {};
+
+  const gl::Scope scope(context.profiler, "mres.edges");
   if (target_.size() != size) target_ = gl::RenderTarget(size, {GL_RG8}, 0, "mres.edges");
 
-  params_.upload(edgesParams(settings, frame));
+  params_.upload(thresholds);
   params_.bind(kPassBlock);
   glUseProgram(program_.id());
   target_.bind();
   context.triangle.draw();
+  return true;
 }
 
 void EdgePass::drawFolds(PassContext& context, int level, int coarser, glm::ivec2 fullSize) {
+  int& towards = foldsTowards_.at(slot(level));
+  if (towards == coarser) return;
+  towards = coarser;
   const gl::Scope scope(context.profiler, "mres.edges");
   gl::RenderTarget& target = folds_.at(slot(level));
   const glm::ivec2 size = levelSize(fullSize, level + 1);
@@ -51,7 +67,9 @@ void EdgePass::drawFolds(PassContext& context, int level, int coarser, glm::ivec
   context.triangle.draw();
 }
 
-void EdgePass::fill(float value) const {
+void EdgePass::fill(float value) {
+  frame_ = 0;
+  foldsTowards_ = {};
   target_.fill(value);
   for (const gl::RenderTarget& target : folds_) target.fill(value);
 }

@@ -15,7 +15,7 @@ const gl::Texture2D& ImportancePass::draw(PassContext& context, MaskCombination 
                                           const gl::Texture2D& edges, const Frame& frame) {
   const gl::Scope scope(context.profiler, "mres.importance");
   gl::RenderTarget& target = targets_.at(static_cast<std::size_t>(level));
-  if (target.size() != edges.size()) target = gl::RenderTarget(edges.size(), {GL_R8}, 0, "mres.importance");
+  if (target.size() != edges.size()) target = gl::RenderTarget(edges.size(), {GL_RG8}, 0, "mres.importance");
   gl::bindTexture(kSourceUnit, edges.id(), context.nearest);
   gl::bindTexture(kMaskUnit, frame.importance, context.linear);
   const gl::Program& program = combination == kCombineByMinimum ? minimum_ : maximum_;

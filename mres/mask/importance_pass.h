@@ -15,7 +15,7 @@ class ImportancePass {
   explicit ImportancePass(const gl::ShaderLibrary& library);
 
   /// Samples the frame's importance bilinearly over the screen. `edges` has the resolution of the mask of
-  /// `level`. Returns both in one, GL_R8.
+  /// `level`. Returns both in one, GL_RG8: red edges of normals, green steps of depth and importance.
   const gl::Texture2D& draw(PassContext& context, MaskCombination combination, int level,
                             const gl::Texture2D& edges, const Frame& frame);
 

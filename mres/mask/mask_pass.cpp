@@ -9,8 +9,8 @@ namespace {
 /// Half a step of an eight-bit mask.
 constexpr double kSmallestWeight = 0.5 / 255.0;
 
-void ensure(gl::RenderTarget& target, glm::ivec2 size, const char* label) {
-  if (target.size() != size) target = gl::RenderTarget(size, {GL_R8}, 0, label);
+void ensure(gl::RenderTarget& target, glm::ivec2 size, GLenum format, const char* label) {
+  if (target.size() != size) target = gl::RenderTarget(size, {format}, 0, label);
 }
 
 }  // namespace
@@ -84,7 +84,7 @@ void MaskPass::drawBlurred(PassContext& context, const LevelPlan& plan) {
 const gl::Texture2D& MaskPass::edgesOf(PassContext& context, int level, const gl::Texture2D& finerEdges,
                                        const gl::Texture2D* joined, glm::ivec2 fullSize) {
   gl::RenderTarget& target = levels_.at(slot(level)).edges;
-  ensure(target, levelSize(fullSize, level + 1), "mres.edges");
+  ensure(target, levelSize(fullSize, level + 1), GL_RG8, "mres.edges");
   gl::bindTexture(kSourceUnit, finerEdges.id(), context.nearest);
   if (joined != nullptr) gl::bindTexture(kMaskUnit, joined->id(), context.nearest);
   glUseProgram(joined != nullptr ? downsampleJoinProgram_.id() : downsampleProgram_.id());
@@ -107,8 +107,8 @@ void MaskPass::setKernel(Level& level, float variance, int finerRatio) {
 }
 
 void MaskPass::blur(PassContext& context, const gl::Texture2D& source, Level& level, const Level* finer) {
-  ensure(level.blurredAlongX, source.size(), "mres.masks");
-  ensure(level.mask, source.size(), "mres.masks");
+  ensure(level.blurredAlongX, source.size(), GL_R8, "mres.masks");
+  ensure(level.mask, source.size(), GL_R8, "mres.masks");
 
   level.kernelBlocks[0].bind(kPassBlock);
   gl::bindTexture(kSourceUnit, source.id(), context.nearest);

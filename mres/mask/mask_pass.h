@@ -36,7 +36,7 @@ class MaskPass {
   /// After drawEdges(): blurs them.
   void drawBlurred(PassContext& context, const LevelPlan& plan);
 
-  /// Of a level that drawEdges() was given: GL_R8 or, of the finest, the source.
+  /// Of a level that drawEdges() was given: GL_RG8, red normals, green depth; of the finest, the source.
   [[nodiscard]] const gl::Texture2D& edges(int level) const { return *edges_.at(slot(level)); }
   /// Of a level that drawBlurred() was given: GL_R8.
   [[nodiscard]] const gl::Texture2D& blurred(int level) const { return levels_.at(slot(level)).mask.color(); }

@@ -10,6 +10,7 @@ namespace {
 struct Reasons {
   bool mask = false;
   bool edge = false;
+  bool shownEdge = false;
   bool difference = false;
   bool bend = false;
   int channels = 1;
@@ -22,6 +23,7 @@ gl::Program makeProgram(const gl::ShaderLibrary& library, const Reasons& reasons
   };
   define("MASK", reasons.mask);
   define("EDGE", reasons.edge);
+  define("SHOWN_EDGE", reasons.shownEdge);
   define("DIFFERENCE", reasons.difference);
   define("BEND", reasons.bend);
   define("EFFECT_CHANNELS", reasons.channels);
@@ -35,6 +37,9 @@ ZonePass::ZonePass(const gl::ShaderLibrary& library)
       edges_(makeProgram(library, {.edge = true})),
       edgesOrBends_(makeProgram(library, {.edge = true, .bend = true})),
       edgesOrBendsOfRadiance_(makeProgram(library, {.edge = true, .bend = true, .channels = 3})),
+      shownEdgesOrDifference_(makeProgram(library, {.shownEdge = true, .difference = true})),
+      shownEdgesOrDifferenceOfRadiance_(
+          makeProgram(library, {.shownEdge = true, .difference = true, .channels = 3})),
       edgesOrDifference_(makeProgram(library, {.edge = true, .difference = true})),
       difference_(makeProgram(library, {.difference = true})) {}
 
@@ -44,6 +49,8 @@ const gl::Program& ZonePass::programOf(const ZoneInputs& inputs) const {
       return mask_;
     case ZoneRule::edgesOrBends:
       return inputs.channels == 1 ? edgesOrBends_ : edgesOrBendsOfRadiance_;
+    case ZoneRule::shownEdgesOrDifference:
+      return inputs.channels == 1 ? shownEdgesOrDifference_ : shownEdgesOrDifferenceOfRadiance_;
     case ZoneRule::edgesOrDifference:
       return edgesOrDifference_;
     case ZoneRule::difference:

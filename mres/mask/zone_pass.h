@@ -35,6 +35,8 @@ class ZonePass {
   gl::Program edges_;
   gl::Program edgesOrBends_;
   gl::Program edgesOrBendsOfRadiance_;
+  gl::Program shownEdgesOrDifference_;
+  gl::Program shownEdgesOrDifferenceOfRadiance_;
   gl::Program edgesOrDifference_;
   gl::Program difference_;
   std::array<gl::RenderTarget, kMaxLevels - 1> zones_;

@@ -42,4 +42,11 @@ LevelPlan planLevels(Technique technique, const LevelTable& table, glm::ivec2 fu
   return plan;
 }
 
+LevelPlan planConstant(glm::ivec2 fullSize, const char* reason) {
+  LevelPlan plan;
+  plan.levels.push_back({0, fullSize, {}});
+  plan.skipped.push_back({"effect", reason});
+  return plan;
+}
+
 }  // namespace mres

@@ -33,4 +33,7 @@ glm::ivec2 levelSize(glm::ivec2 fullSize, int level);
 LevelPlan planLevels(Technique technique, const LevelTable& table, glm::ivec2 fullSize,
                      bool fallsBack = false);
 
+/// The plan for what is the same at every pixel, for `reason`: nothing to render into level 0.
+LevelPlan planConstant(glm::ivec2 fullSize, const char* reason);
+
 }  // namespace mres

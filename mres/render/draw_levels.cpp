@@ -14,7 +14,9 @@ void drawEffect(const PlannedFrame& planned, std::size_t level) {
 }
 
 void drawZone(const PlannedFrame& planned, std::size_t level) {
-  planned.shared.zones.draw(planned.context, planned.level(level), planned.zoneInputs(level));
+  const ZoneInputs inputs = planned.zoneInputs(level);
+  if (inputs.rule == ZoneRule::shownEdgesOrDifference) planned.shared.edges.bindParams();
+  planned.shared.zones.draw(planned.context, planned.level(level), inputs);
 }
 
 void drawCoarsestLevel(const PlannedFrame& planned, std::size_t level) {

@@ -3,20 +3,21 @@
 namespace mres {
 namespace {
 
-const gl::Texture2D& drawGeometryEdges(const PlannedFrame& planned, const params::FrameParams& params) {
+EdgeImages drawGeometryEdges(const PlannedFrame& planned, const params::FrameParams& params,
+                             std::uint64_t frameId) {
   const MaskSettings& settings = planned.settings.mask;
   if (settings.minMaxMips) {
     planned.shared.minMax.draw(planned.context, settings, params, planned.plan);
-    return planned.shared.minMax.edges(0);
+    return {.geometry = &planned.shared.minMax.edges(0)};
   }
-  planned.shared.edges.draw(planned.context, settings, params);
-  return planned.shared.edges.edges();
+  const bool drawn = planned.shared.edges.draw(planned.context, settings, params, frameId);
+  return {.geometry = &planned.shared.edges.edges(), .areShared = !drawn};
 }
 
-EdgeImages drawEdges(const PlannedFrame& planned, const params::FrameParams& params) {
+EdgeImages drawEdges(const PlannedFrame& planned, const params::FrameParams& params, std::uint64_t frameId) {
   EdgeImages edges;
   PreviewPass& preview = planned.passes.preview;
-  if (!preview || planned.settings.mask.geometryAlways) edges.geometry = &drawGeometryEdges(planned, params);
+  if (!preview || planned.settings.mask.geometryAlways) edges = drawGeometryEdges(planned, params, frameId);
   if (!preview) return edges;
   preview.draw(planned.context, planned.refineThreshold(), params.size, edges.geometry);
   edges.effect = &preview.edges();
@@ -52,7 +53,7 @@ MaskSources maskSources(const PlannedFrame& planned, const EdgeImages& edges, co
 }  // namespace
 
 EdgeImages drawMasks(const PlannedFrame& planned, const Frame& frame, const params::FrameParams& params) {
-  const EdgeImages edges = drawEdges(planned, params);
+  const EdgeImages edges = drawEdges(planned, params, frame.id);
   planned.shared.masks.drawEdges(planned.context, maskSources(planned, edges, frame), planned.plan);
   if (planned.isByMasks()) planned.shared.masks.drawBlurred(planned.context, planned.plan);
   return edges;

@@ -28,7 +28,7 @@ struct SharedPasses {
         zones(library),
         disjoint(library) {}
 
-  void fill(float value) const {
+  void fill(float value) {
     pyramid.fill(value);
     edges.fill(value);
     minMax.fill(value);

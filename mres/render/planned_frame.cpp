@@ -17,7 +17,10 @@ ZoneRule PlannedFrame::zoneRuleOf(std::size_t planned) const {
   if (isByMasks()) return ZoneRule::mask;
   if (isDisjoint() || settings.mask.errorBudget == 0.0f) return ZoneRule::edges;
   if (roleOf(planned + 1) == LevelRole::coarsest) return ZoneRule::edgesOrBends;
-  return planned == 0 ? ZoneRule::difference : ZoneRule::edgesOrDifference;
+  if (planned == 0) return ZoneRule::difference;
+  // An effect's own edges are where it varies, and min/max mips don't tell normals from depth.
+  const bool shows = passes.effect.effect().hasPreview || settings.mask.minMaxMips;
+  return shows ? ZoneRule::edgesOrDifference : ZoneRule::shownEdgesOrDifference;
 }
 
 ZoneInputs PlannedFrame::zoneInputs(std::size_t planned) const {

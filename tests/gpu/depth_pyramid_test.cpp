@@ -41,7 +41,7 @@ class DepthPyramidTest : public GlTest {
     block.upload(frameParams(gbuffer.frame()));
     block.bind(kFrameBlock);
     gl::bindTexture(kDepthUnit, gbuffer.frame().depth, context.nearest);
-    pyramid.draw(context, size);
+    EXPECT_TRUE(pyramid.draw(context, gbuffer.frame()));
     ASSERT_EQ(pyramid.texture().levels(), depthPyramidLevels(size));
     for (int mip = 0; mip < pyramid.texture().levels(); ++mip) {
       const glm::ivec2 mipSize = glm::max(size >> mip, glm::ivec2(1));

@@ -17,11 +17,12 @@ TEST_F(SsgiTest, RendersTheLevelsOfThePapersTableAndTheHalfLevel) {
   const SyntheticGBuffer gbuffer(size, perspective(size), room());
   const auto isLevel = [](int index) { return testing::Field(&LevelReport::index, index); };
   SsgiSettings settings{.samples = 8};
-  static_cast<void>(render(gbuffer, settings, {}, Technique::multiResolution));
+  const SsgiInputs lit{.environmentAbove = glm::vec3(1.0f)};
+  static_cast<void>(render(gbuffer, settings, lit, Technique::multiResolution));
   EXPECT_THAT(multiResolution_.report().levels,
               testing::ElementsAre(isLevel(0), isLevel(1), isLevel(2), isLevel(3)));
   settings.levels[1].used = false;
-  static_cast<void>(render(gbuffer, settings, {}, Technique::multiResolution));
+  static_cast<void>(render(gbuffer, settings, lit, Technique::multiResolution));
   EXPECT_THAT(multiResolution_.report().levels, testing::ElementsAre(isLevel(0), isLevel(2), isLevel(3)));
   const LevelTable& table = ssgi_.levels();
   EXPECT_EQ(table[0].maskVariance, 0.924f);

@@ -50,7 +50,7 @@ Image MaskBench::edges(const Frame& frame, const MaskSettings& settings) {
   params.depthRounding = depthRounding(bindFrameTextures(context_, frame));
   frameBlock_.upload(params);
   frameBlock_.bind(kFrameBlock);
-  edgePass_.draw(context_, settings, params);
+  edgePass_.draw(context_, settings, params, frame.id);
   return readImage(edgePass_.edges(), 2);
 }
 
@@ -64,14 +64,18 @@ std::vector<Image> MaskBench::masks(const gl::Texture2D& edges, const LevelPlan&
   return masksOf({.edges = &edges}, plan);
 }
 
-std::vector<Image> MaskBench::masksWithFolds(const LevelPlan& plan) {
+std::vector<Image> MaskBench::edgesWithFolds(const LevelPlan& plan) {
   MaskSources sources{.edges = &edgePass_.edges()};
   for (std::size_t i = 1; i + 1 < plan.levels.size(); ++i) {
     const int level = plan.levels[i].index;
     static_cast<void>(folds(level, plan.levels[i + 1].index, plan.levels.front().size));
     sources.joined.at(static_cast<std::size_t>(level)) = &edgePass_.folds(level);
   }
-  return masksOf(sources, plan);
+  maskPass_.drawEdges(context_, sources, plan);
+  std::vector<Image> images;
+  for (std::size_t i = 0; i + 1 < plan.levels.size(); ++i)
+    images.push_back(readImage(maskPass_.edges(plan.levels[i].index), 2));
+  return images;
 }
 
 std::vector<Image> MaskBench::masksOf(const MaskSources& sources, const LevelPlan& plan) {

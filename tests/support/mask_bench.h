@@ -34,8 +34,9 @@ class MaskBench {
   /// The masks of a plan's levels but the last, from an edge image in a texture or from the last edges().
   std::vector<Image> masks(const gl::Texture2D& edges, const LevelPlan& plan);
   std::vector<Image> masks(const LevelPlan& plan) { return masks(edgePass_.edges(), plan); }
-  /// From the last edges() and the folds of each level.
-  std::vector<Image> masksWithFolds(const LevelPlan& plan);
+  /// The edges of a plan's levels but the last, from the last edges() and the folds of each level: channel 0
+  /// normals, channel 1 depth.
+  std::vector<Image> edgesWithFolds(const LevelPlan& plan);
   /// Of the last masks(), and the edges that it was made of.
   [[nodiscard]] const gl::Texture2D& mask(int level) const { return maskPass_.blurred(level); }
   [[nodiscard]] const gl::Texture2D& edges(int level) const { return maskPass_.edges(level); }
