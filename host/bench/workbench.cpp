@@ -20,7 +20,7 @@ const Scene& Workbench::scene(const BenchScene& wanted) {
 }
 
 Comparison& Workbench::comparison(const PictureSettings& settings, const Json& values) {
-  Json key{settings.effect, values};
+  Json key{settings.effect, settings.technique, values};
   if (comparison_ && key_ == key) return *comparison_;
   comparison_.reset();  // before the next takes memory
   comparison_ = std::make_unique<Comparison>(scene_, settings, softwareRasterizer_);

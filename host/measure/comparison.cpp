@@ -9,7 +9,7 @@
 namespace host {
 namespace {
 
-constexpr mres::Technique kReference = mres::Technique::full;
+constexpr const char* kReference = kFullTechnique;
 constexpr double kShareOfTiming = 0.85;  // of the work on a view, about
 constexpr double kShareOfPath = 0.5;     // of the whole work, about, where there is one
 
@@ -94,7 +94,7 @@ TemporalErrors Comparison::measureFlicker(const ComparisonRequest& request, cons
 Measurement Comparison::measureView(const ComparisonRequest& request, const WorkObserver& observe) {
   draw(scene_.cameras.at(request.camera), request.size);
   Measurement measurement = describePicture(scene_, settings_, request.camera, request.size);
-  measurement.reference = nameOf(kReference);
+  measurement.reference = kReference;
   measurement.warnings = warnings();
   render(request, measurement, observe);
   observe(kShareOfTiming, "comparing the pictures");
@@ -128,8 +128,10 @@ ComparisonPictures Comparison::pictures() {
   pictures.referenceEffect = referenceValues_;
   pictures.techniqueEffect = techniqueValues_;
   pictures.difference = differenceImage(techniqueValues_, referenceValues_, kDifferenceEnhancement);
-  const auto debugView = [this](mres::DebugView view) {
-    return readTexture(technique_.multiResolution().debugView(view), frame_.size, 3);
+  mres::MultiResolution* multiResolution = technique_.multiResolution();
+  if (multiResolution == nullptr) return pictures;
+  const auto debugView = [&](mres::DebugView view) {
+    return readTexture(multiResolution->debugView(view), frame_.size, 3);
   };
   pictures.edges = debugView(mres::DebugView::edges);
   pictures.levels = debugView(mres::DebugView::levels);

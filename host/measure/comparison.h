@@ -30,7 +30,8 @@ struct ComparisonPictures {
   FloatImage referenceEffect;  ///< the effect's values; see error_metrics.h
   FloatImage techniqueEffect;
   FloatImage difference;  ///< of the effect's values, kDifferenceEnhancement times enhanced
-  FloatImage edges;       ///< red normals, green depth, blue what the effect finds itself, e.g. shadows
+  // Of mres's own techniques; empty for peers.
+  FloatImage edges;   ///< red normals, green depth, blue what the effect finds itself, e.g. shadows
   FloatImage levels;  ///< the finest level at each pixel: red full, green half, blue quarter, black eighth
 };
 

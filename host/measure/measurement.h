@@ -55,9 +55,11 @@ struct Measurement {
   std::optional<ErrorMetrics> error;       ///< none without a reference
   std::vector<TruthErrors> truths;         ///< none if they weren't asked for
   std::optional<TemporalErrors> temporal;  ///< none if no flicker was asked for
-  std::vector<double> coverage;            ///< share of level i in which the effect ran
-  std::vector<StageCost> stages;           ///< of the technique; none if no timing was asked for
-  std::string stagesClock;                 ///< what the stages were timed with
+  std::vector<double> coverage;            ///< share of level i in which the effect ran; none of peers
+  /// Of peers: pixels in which the effect ran, for each of the full resolution.
+  std::optional<double> work;
+  std::vector<StageCost> stages;  ///< of the technique; none if no timing was asked for
+  std::string stagesClock;        ///< what the stages were timed with
   std::vector<SkippedPart> skipped;
   std::size_t gpuBytes = 0;
   double seconds = 0.0;  ///< that all of it took, writing pictures and, where it had to be, loading the scene

@@ -26,8 +26,7 @@ std::unique_ptr<Peer> makeKind(const mres::EffectDescription& effect, const Peer
 
 constexpr std::array<PeerKind, 7> kKinds{{
     {"half-bilinear", "half of the resolution, upsampled bilinearly", makeCoarse<1, Upsampling::bilinear>},
-    {"half-joint", "half of the resolution, upsampled by depth and normal",
-     makeCoarse<1, Upsampling::joint>},
+    {"half-joint", "half of the resolution, upsampled by depth and normal", makeCoarse<1, Upsampling::joint>},
     {"quarter-bilinear", "a quarter of the resolution, upsampled bilinearly",
      makeCoarse<2, Upsampling::bilinear>},
     {"quarter-joint", "a quarter of the resolution, upsampled by depth and normal",
@@ -48,8 +47,7 @@ std::span<const PeerKind> peerKinds() {
 
 std::unique_ptr<Peer> makePeer(std::string_view name, const mres::EffectDescription& effect,
                                const PeerOptions& options) {
-  const auto* kind =
-      std::ranges::find_if(kKinds, [name](const PeerKind& each) { return each.name == name; });
+  const auto* kind = std::ranges::find_if(kKinds, [name](const PeerKind& each) { return each.name == name; });
   if (kind == kKinds.end())
     throw std::invalid_argument("There is no peer '" + std::string(name) + "'; peerKinds() names them.");
   const mres::gl::StateGuard guard(mres::gl::StateGuard::countViewports());

@@ -111,6 +111,17 @@ TEST(Report, ClaimsNoEfficiencyWithoutCoverage) {
   for (const char* name : {"work", "floor_ms", "efficiency"}) EXPECT_TRUE(result[name].is_null()) << name;
 }
 
+TEST(Report, TellsTheWorkOfTechniquesWithoutLevels) {
+  Measurement measurement = example();
+  measurement.coverage.clear();
+  measurement.work = 0.25;
+  const Json result = toJson(measurement);
+  EXPECT_EQ(result["coverage"], Json::array());
+  EXPECT_EQ(result["work"], 0.25);
+  EXPECT_EQ(result["floor_ms"], 62.5);
+  EXPECT_EQ(result["efficiency"], 0.625);
+}
+
 TEST(Report, WithoutTimingHasTheSameFieldsWithNull) {
   Measurement measurement = example();
   const Json timed = toJson(measurement);
