@@ -87,7 +87,8 @@ TEST_F(BadInput, UnknownNamesSuggestNearOnes) {
   EXPECT_THAT(failureOf({"hall"}, 2),
               HasSubstr("no command 'hall'; use one of info, render, compare, bench"));
   EXPECT_THAT(compareFailure({"--effect", "sao"}, 2), HasSubstr("did you mean ssao?"));
-  EXPECT_THAT(compareFailure({"--technique", "mre"}, 2), HasSubstr("did you mean mres or mres-paper?"));
+  EXPECT_THAT(compareFailure({"--technique", "mre"}, 2),
+              HasSubstr("did you mean mres or mres-paper or mres-min-max?"));
   EXPECT_THAT(compareFailure({"--technique", "half-joined"}, 2), HasSubstr("did you mean half-joint?"));
   EXPECT_THAT(
       compareFailure({"--technique", "third"}, 2),
