@@ -144,17 +144,20 @@ const std::vector<mres::gl::StageTime>& EffectInstance::stages() const {
   return peer_ ? peer_->stages() : multiResolution_->report().stages;
 }
 
+std::size_t EffectInstance::bytes() const {
+  return peer_ ? peer_->bytes() + effect_->bytes() : multiResolution_->report().bytes;
+}
+
 void EffectInstance::describe(Measurement& measurement) const {
+  measurement.gpuBytes = bytes();
   if (peer_) {
     measurement.work = peer_->work();
-    measurement.gpuBytes = peer_->bytes() + effect_->bytes();
     return;
   }
   const mres::Report& report = multiResolution_->report();
   measurement.coverage = coverageOf(report);
   for (const mres::Skip& skip : report.skipped)
     measurement.skipped.push_back({std::string(skip.what), std::string(skip.reason)});
-  measurement.gpuBytes = report.bytes;
 }
 
 mres::Frame frameOf(const Renderer& renderer, const GBufferTextures& gbuffer, glm::ivec2 size) {

@@ -41,6 +41,9 @@ class EffectInstance {
   /// Of the latest frame known.
   [[nodiscard]] const std::vector<mres::gl::StageTime>& stages() const;
 
+  /// Of GPU memory, effect included.
+  [[nodiscard]] std::size_t bytes() const;
+
   /// Adds what the last render() needed: coverage, skips and bytes, or a peer's work.
   void describe(Measurement& measurement) const;
 

@@ -49,6 +49,7 @@ struct Measurement {
   int samples = 0;
   std::string technique;
   std::optional<std::string> reference;
+  std::optional<int> referenceSamples;     ///< none: as many as the technique has
   Json settings;                           ///< every setting that the picture depends on
   std::optional<InterleavedTimes> times;   ///< none if pictures and errors alone were asked for; without
                                            ///< reference runs there is no speedup

@@ -116,6 +116,7 @@ Json toJson(const Measurement& measurement) {
               {"effect", measurement.effect},      {"samples", measurement.samples},
               {"technique", measurement.technique}};
   result["reference"] = measurement.reference ? Json(*measurement.reference) : Json();
+  result["reference_samples"] = measurement.referenceSamples.value_or(measurement.samples);
   addTimes(result, measurement.times.value_or(InterleavedTimes()));
   result["error"] = measurement.error ? toJson(*measurement.error) : Json();
   result["truth"] = toJson(measurement.truths);

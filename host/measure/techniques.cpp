@@ -42,4 +42,8 @@ const TechniqueChoice& techniqueOf(std::string_view name) {
   return *found;
 }
 
+bool heedsErrorBudget(std::string_view name) {
+  return name == kMresTechnique || name == kMinMaxTechnique || name == kAdaptiveTilesTechnique;
+}
+
 }  // namespace host

@@ -14,6 +14,7 @@ inline constexpr const char* kFullTechnique = "full";
 inline constexpr const char* kPaperTechnique = "mres-paper";
 inline constexpr const char* kMinMaxTechnique = "mres-min-max";
 inline constexpr const char* kMresTechnique = "mres";
+inline constexpr const char* kAdaptiveTilesTechnique = "adaptive-tiles";
 
 struct TechniqueChoice {
   std::string name;
@@ -28,5 +29,8 @@ const std::vector<std::string>& techniqueNames();
 
 /// Throws std::out_of_range for unknown names.
 const TechniqueChoice& techniqueOf(std::string_view name);
+
+/// Whether its picture depends on mres::MaskSettings::errorBudget.
+bool heedsErrorBudget(std::string_view name);
 
 }  // namespace host

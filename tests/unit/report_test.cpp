@@ -122,6 +122,13 @@ TEST(Report, TellsTheWorkOfTechniquesWithoutLevels) {
   EXPECT_EQ(result["efficiency"], 0.625);
 }
 
+TEST(Report, TellsTheSamplesOfTheReference) {
+  Measurement measurement = example();
+  EXPECT_EQ(toJson(measurement)["reference_samples"], measurement.samples);
+  measurement.referenceSamples = 4 * measurement.samples;
+  EXPECT_EQ(toJson(measurement)["reference_samples"], 4 * measurement.samples);
+}
+
 TEST(Report, WithoutTimingHasTheSameFieldsWithNull) {
   Measurement measurement = example();
   const Json timed = toJson(measurement);
