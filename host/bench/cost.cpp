@@ -37,8 +37,10 @@ double shareOf(const BenchCase& benchCase) {
       {"half-bilinear", 0.3},  {"half-joint", 0.35},    {"quarter-bilinear", 0.12},
       {"quarter-joint", 0.2},  {"checkerboard", 0.65},  {"interleaved", 1.05},
       {kPaperTechnique, 0.85}, {kMinMaxTechnique, 0.6}, {kAdaptiveTilesTechnique, 0.5}};
+  constexpr double kWithoutSamples = 0.2;
   if (benchCase.technique == kFullTechnique)
-    return static_cast<double>(benchCase.samples) / referenceSamplesOf(benchCase);
+    return std::lerp(kWithoutSamples, 1.0,
+                     static_cast<double>(benchCase.samples) / referenceSamplesOf(benchCase));
   const auto rival = kShares.find(benchCase.technique);
   return rival == kShares.end() ? costOf(benchCase.effect).share : rival->second;
 }

@@ -15,7 +15,7 @@ AdaptiveTilesPeer::AdaptiveTilesPeer(const mres::EffectDescription& effect, cons
       measureWork_(options.measureWork),
       filter_(library(), effect),
       rates_(library(), effect),
-      aroundTiles_(library(), effect, Upsampling::jointAroundTiles) {}
+      aroundTiles_(library(), effect, Upsampling::joint) {}
 
 void AdaptiveTilesPeer::drawEffect(const PeerFrame& frame, const TiledLevel& level) {
   if (measureWork_) coverage_.begin(frame.level(level.index()));
@@ -26,8 +26,8 @@ void AdaptiveTilesPeer::drawEffect(const PeerFrame& frame, const TiledLevel& lev
 void AdaptiveTilesPeer::drawTiles(const PeerFrame& frame, TiledLevel& level,
                                   const mres::gl::Texture2D& coarser) {
   level.prepare(frame);
-  mres::gl::bindTexture(mres::kZoneUnit, rates_.rates().color().id(), frame.context.nearest);
-  aroundTiles_.draw(frame, coarser, level.picture());
+  rates_.startZone(frame, level.picture());
+  aroundTiles_.draw(frame, coarser, level.picture(), true);
   drawEffect(frame, level);
   const bool filtered = frame.description().filtered;
   if (filtered) filter_.alongX(frame, level.raw().color(), level.filteredAlongX(), true);

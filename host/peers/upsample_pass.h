@@ -6,8 +6,7 @@ namespace host {
 
 enum class Upsampling {
   bilinear,
-  joint,            ///< by depth and normal
-  jointAroundTiles  ///< the same outside of the level's tiles, which become the target's stencilled zone
+  joint  ///< by depth and normal
 };
 
 /// Draws a coarser level's picture at a finer level.
@@ -16,12 +15,12 @@ class UpsamplePass {
   UpsamplePass(const mres::gl::ShaderLibrary& library, const mres::EffectDescription& effect,
                Upsampling upsampling);
 
-  /// Needs the finer level's block bound, with its coarser one; around tiles, the rates too (kZoneUnit).
-  void draw(const PeerFrame& frame, const mres::gl::Texture2D& coarser,
-            const mres::gl::RenderTarget& target) const;
+  /// Into the whole of the target or outside of its stencilled zone. Needs the finer level's block bound,
+  /// with its coarser one.
+  void draw(const PeerFrame& frame, const mres::gl::Texture2D& coarser, const mres::gl::RenderTarget& target,
+            bool outsideZone = false) const;
 
  private:
-  Upsampling upsampling_;
   mres::gl::Program program_;
 };
 

@@ -1,12 +1,8 @@
 #version 330 core
 // A coarser level's picture at the pixels of a finer level.
 //   JOINT  of the texels on the pixel's own plane, and with filter depth; else bilinear, whatever the texels are of
-//   TILED  only where the finer level renders no tile of its own; the stencil of the pixels is cleared there
 #include "mres/coarser.glsl"
 #include "mres/value.glsl"
-#if TILED
-#include "peers/tile_rate.glsl"
-#endif
 
 out vec4 fragment;
 
@@ -35,9 +31,5 @@ vec4 upsampled(ivec2 levelPixel) {
 #endif
 
 void main() {
-    ivec2 levelPixel = ivec2(gl_FragCoord.xy);
-#if TILED
-    if (isInTileOfThisLevel(levelPixel)) discard;
-#endif
-    fragment = upsampled(levelPixel);
+    fragment = upsampled(ivec2(gl_FragCoord.xy));
 }

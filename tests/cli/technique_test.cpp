@@ -70,9 +70,9 @@ TEST_F(LevelChoice, IsNotForPeers) {
   EXPECT_TRUE(half["coverage"].empty());
   EXPECT_GT(half["error"]["rms"], 0.0);
   EXPECT_LT(half["error"]["rms"], 0.05);
-  EXPECT_THAT(filesBelow("out"), testing::ElementsAre("difference.png", "effect_full.exr", "effect_full.png",
-                                                      "effect_mres.exr", "effect_mres.png", "full.png",
-                                                      "mres.png", "report.json"));
+  EXPECT_THAT(filesBelow("out"),
+              testing::ElementsAre("difference.png", "effect_full.exr", "effect_full.png", "effect_mres.exr",
+                                   "effect_mres.png", "full.png", "mres.png", "report.json"));
 }
 
 }  // namespace
