@@ -36,7 +36,7 @@ bool isDefaultBudget(const Json& budget) {
 }  // namespace
 
 std::string techniqueTitle(const Json& result) {
-  const auto name = result["technique"].get<std::string>();
+  auto name = result["technique"].get<std::string>();
   if (name == kFullTechnique && result["samples"] != referenceSamplesOf(result))
     return fmt::format("{}, {} samples", name, result["samples"].get<int>());
   const Json& settings = result["settings"];

@@ -19,7 +19,7 @@ class LevelChoice : public Command {
   /// At a size that has whole pixels, and whole blocks of them, of all four levels. Coarse levels spare the
   /// finest one something, and the picture is near to the full resolution's.
   json comparison(const std::vector<std::string>& options) {
-    const json result = comparisonBy(options);
+    json result = comparisonBy(options);
     const json& coverage = result["coverage"];
     EXPECT_EQ(coverage.size(), 4U);
     EXPECT_GT(coverage.front(), 0.0);

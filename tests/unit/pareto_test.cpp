@@ -30,6 +30,7 @@ TEST(Domination, IsByLessTimeAndNoMoreError) {
                                   point("fast", 0.1, 0.05),    point("twin", 0.1, 0.05)};
   findDominators(points);
   std::vector<std::string> dominators;
+  dominators.reserve(points.size());
   for (const ParetoPoint& each : points) dominators.push_back(each.dominator);
   EXPECT_THAT(dominators, ElementsAre("", "", "good", "good", "", ""));
 }
@@ -106,6 +107,7 @@ TEST(Planes, HaveMeansOfTheViewsAndTheReferenceItself) {
   ASSERT_EQ(planes.size(), 1U);
   EXPECT_EQ(titleOf(planes[0]), "ssao 64, 1920x1080, 2 views");
   std::vector<std::string> names;
+  names.reserve(planes[0].points.size());
   for (const ParetoPoint& each : planes[0].points) names.push_back(each.name);
   EXPECT_THAT(names, ElementsAre("full", "mres, budget 0.04", "full, 16 samples", "mres", "half-joint"));
   EXPECT_NEAR(planes[0].points[3].rms, 0.01, 1e-12);
