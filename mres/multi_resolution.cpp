@@ -1,5 +1,6 @@
 #include "mres/multi_resolution.h"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -14,11 +15,31 @@
 #include "mres/gl/uniform_buffer.h"
 #include "mres/level/frame_params.h"
 #include "mres/level/frame_textures.h"
+#include "mres/plan/frame_cost.h"
+#include "mres/render/calibration.h"
 #include "mres/render/draw_levels.h"
 #include "mres/render/draw_masks.h"
 #include "mres/validate.h"
 
 namespace mres {
+namespace {
+
+double pixelCount(glm::ivec2 size) {
+  return static_cast<double>(size.x) * size.y;
+}
+
+bool fallsBack(const Settings& by, const PlanChooser& chooser) {
+  return by.technique == Technique::multiResolution && by.plan.fallBack && !chooser.choosesLevels();
+}
+
+const char* reasonOf(const Settings& by, const PlanChooser& chooser) {
+  if (by.technique != Technique::multiResolution) return "the technique was asked for";
+  if (!by.plan.fallBack) return "levels were asked for";
+  if (!chooser.costs()) return "levels, as long as costs are not known";
+  return chooser.choosesLevels() ? "levels are faster" : "the plain effect is faster";
+}
+
+}  // namespace
 
 struct MultiResolution::Implementation {
   explicit Implementation(const Options& options) : measureCoverage(options.measureCoverage) {
@@ -28,13 +49,16 @@ struct MultiResolution::Implementation {
     shared.emplace(context.library);
   }
 
-  GLuint render(Effect& effect, const Frame& frame);
+  GLuint render(Effect& effect, const Frame& frame, const Settings& by, bool measuringCoverage);
+  Costs calibrate(Effect& effect, const Frame& frame);
   GLuint debugView(DebugView view);
   void reloadShaders();
   void bindEffect(Effect& effect, const Frame& frame);
   EffectPasses& passesOf(Effect& effect);
   void bindFrame(const Frame& frame, params::FrameParams& params);
-  void fillReport(EffectPasses& passes);
+  [[nodiscard]] double workOf(EffectPasses& passes) const;
+  void learn(EffectPasses& passes);
+  void fillReport(EffectPasses& passes, const Settings& by);
 
   Settings settings;
   bool measureCoverage;
@@ -72,31 +96,69 @@ void MultiResolution::Implementation::bindEffect(Effect& effect, const Frame& fr
   effect.bind(frame);
 }
 
-GLuint MultiResolution::Implementation::render(Effect& effect, const Frame& frame) {
+GLuint MultiResolution::Implementation::render(Effect& effect, const Frame& frame, const Settings& by,
+                                               bool measuringCoverage) {
   params::FrameParams params = frameParams(frame);
-  validate("MaskSettings", settings.mask);
+  validate("MaskSettings", by.mask);
   validate(effect.levels());
   const gl::StateGuard guard(viewports);
   bindFrame(frame, params);
   context.profiler.beginFrame();
   EffectPasses& passes = passesOf(effect);
   pictured = nullptr;
-  plan = planLevels(settings.technique, effect.levels(), frame.size);
-  const PlannedFrame planned{context, settings, plan, *shared, passes, measureCoverage};
+  plan = planLevels(by.technique, effect.levels(), frame.size, fallsBack(by, passes.chooser));
+  const PlannedFrame planned{context, by, plan, *shared, passes, measuringCoverage};
   planned.prepareLevels();
   if (effect.description().readsPyramid) shared->pyramid.draw(context, frame.size);
   bindEffect(effect, frame);
   edges = planned.hasMasks() ? drawMasks(planned, frame, params) : EdgeImages{};
   drawLevels(planned);
   context.profiler.endFrame();
-  fillReport(passes);
+  fillReport(passes, by);
+  if (by.technique == Technique::multiResolution) learn(passes);
   report.bytes += effect.bytes();
   pictured = &passes;
   return planned.targets(0).composed().color().id();
 }
 
-void MultiResolution::Implementation::fillReport(EffectPasses& passes) {
-  report.technique = plan.levels.size() > 1 ? settings.technique : Technique::full;
+/// Costs::work of the last frame.
+double MultiResolution::Implementation::workOf(EffectPasses& passes) const {
+  double pixels = 0.0;
+  for (const PlannedLevel& level : plan.levels)
+    pixels += passes.coverage.of(level.index) * pixelCount(level.size);
+  return pixels / pixelCount(plan.levels.front().size);
+}
+
+/// From the frame whose times are known by now.
+void MultiResolution::Implementation::learn(EffectPasses& passes) {
+  const bool timed =
+      context.profiler.mode() == gl::Profiler::Mode::query && !context.profiler.stages().empty();
+  const bool counted = std::ranges::all_of(
+      plan.levels, [&passes](const PlannedLevel& level) { return passes.coverage.isKnown(level.index); });
+  if (!timed || !counted) return;
+  passes.chooser.observe(frameCost(context.profiler.stages()), workOf(passes),
+                         pixelCount(plan.levels.front().size));
+}
+
+Costs MultiResolution::Implementation::calibrate(Effect& effect, const Frame& frame) {
+  Settings by = settings;
+  by.plan.fallBack = false;
+  const char* const name = effect.description().name;
+  const Costs costs = measureCosts({.profiler = context.profiler,
+                                    .render =
+                                        [&](Technique technique) {
+                                          by.technique = technique;
+                                          render(effect, frame, by, technique == Technique::multiResolution);
+                                        },
+                                    .work = [&] { return workOf(effects.find(name)->second); },
+                                    .pixels = pixelCount(frame.size)});
+  effects.find(name)->second.chooser.setCosts(costs);
+  return costs;
+}
+
+void MultiResolution::Implementation::fillReport(EffectPasses& passes, const Settings& by) {
+  report.technique = plan.levels.size() > 1 ? by.technique : Technique::full;
+  report.plan = {fallsBack(by, passes.chooser), reasonOf(by, passes.chooser), passes.chooser.costs()};
   report.levels.clear();
   for (const PlannedLevel& level : plan.levels) {
     report.levels.push_back({level.index, level.size, passes.coverage.of(level.index)});
@@ -144,7 +206,16 @@ Settings& MultiResolution::settings() {
 }
 
 GLuint MultiResolution::render(Effect& effect, const Frame& frame) {
-  return implementation_->render(effect, frame);
+  return implementation_->render(effect, frame, implementation_->settings, implementation_->measureCoverage);
+}
+
+Costs MultiResolution::calibrate(Effect& effect, const Frame& frame) {
+  return implementation_->calibrate(effect, frame);
+}
+
+void MultiResolution::setCosts(Effect& effect, const std::optional<Costs>& costs) {
+  const gl::StateGuard guard(implementation_->viewports);
+  implementation_->passesOf(effect).chooser.setCosts(costs);
 }
 
 const Report& MultiResolution::report() const {

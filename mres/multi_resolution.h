@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -49,6 +50,17 @@ class MultiResolution {
   /// frame that cannot be rendered and settings out of range, std::logic_error for an effect that differs
   /// from an earlier one of the same name, std::runtime_error if the driver rejects a shader or a target.
   GLuint render(Effect& effect, const Frame& frame);
+
+  /// Measures on this device what `effect` takes for `frame`, by levels and at every pixel, so that from the
+  /// next render() on the faster one renders, as PlanSettings::fallBack has it. Renders and waits for some
+  /// frames, up to a quarter of a second or, of slow ones, a few: for when a scene has been loaded, not for
+  /// every frame. With Options::profiling by queries and Options::measureCoverage, later frames keep the
+  /// costs up to date. Throws what render() does.
+  Costs calibrate(Effect& effect, const Frame& frame);
+
+  /// Takes costs that calibrate() measured on the same device before; none forgets what is known, so that
+  /// levels render. Throws what render() does if the effect is new.
+  void setCosts(Effect& effect, const std::optional<Costs>& costs);
 
   /// What the last render() did.
   [[nodiscard]] const Report& report() const;

@@ -2,10 +2,12 @@
 
 #include <cstddef>
 #include <glm/glm.hpp>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "mres/gl/profiler.h"
+#include "mres/plan/costs.h"
 #include "mres/settings.h"
 
 namespace mres {
@@ -24,9 +26,17 @@ struct LevelReport {
   double coverage = 1.0;
 };
 
+/// What the plan was chosen by.
+struct PlanReport {
+  bool fallsBack = false;      ///< the plain effect stood in for levels
+  std::string_view reason;     ///< a string literal
+  std::optional<Costs> costs;  ///< none while nothing is known
+};
+
 /// What the last render() did.
 struct Report {
   Technique technique = Technique::full;
+  PlanReport plan;
   std::vector<LevelReport> levels;  ///< finest first
   std::vector<Skip> skipped;
   std::vector<gl::StageTime> stages;  ///< of the latest frame known; empty while profiling is off

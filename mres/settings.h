@@ -73,9 +73,22 @@ void visit(MaskSettings& settings, Visitor&& visitor) {
                   "With an importance mask: 0 refines where it or the edges say so, 1 only where both do."});
 }
 
+/// What is chosen by time.
+struct PlanSettings {
+  bool fallBack = true;  ///< Render the plain effect where it is known to be faster than
+                         ///< Technique::multiResolution by MultiResolution::calibrate() or from timed frames.
+};
+
+template <class Visitor>
+void visit(PlanSettings& settings, Visitor&& visitor) {
+  visitor("fallBack", settings.fallBack,
+          SettingInfo{"", 0.0, 1.0, "Render the plain effect where it is known to be faster than levels."});
+}
+
 /// Of a MultiResolution; may change from frame to frame.
 struct Settings {
   Technique technique = Technique::multiResolution;
+  PlanSettings plan;
   MaskSettings mask;
 };
 

@@ -70,6 +70,7 @@ SettingsTable settingsTable(PictureSettings& settings) {
     for (std::size_t level = 0; level < effect.levels.size(); ++level)
       table.add(effect.levels[level], fmt::format("level{}.", level));
   });
+  table.add(settings.plan);
   table.add(settings.mask);
   table.add(settings.renderer);
   return table;

@@ -42,12 +42,19 @@ void Comparison::draw(const Camera& camera, glm::ivec2 size) {
   frame_ = frameOf(renderer_, gbuffer, size);
   inputs_ = drawInputs(renderer_, settings_);
   for (EffectInstance* instance : {&technique_, &reference_, &inspected_}) instance->setInputs(inputs_);
+  setCosts(std::nullopt);
+}
+
+void Comparison::setCosts(const std::optional<mres::Costs>& costs) {
+  for (EffectInstance* instance : {&technique_, &inspected_}) instance->setCosts(costs);
 }
 
 /// By both techniques, timed if that was asked for.
 void Comparison::render(const ComparisonRequest& request, Measurement& measurement,
                         const WorkObserver& observe) {
   if (request.timing) {
+    observe(0.0, "finding out what pays");
+    setCosts(technique_.calibrate(frame_));
     const GlTimer timer(softwareRasterizer_);
     measurement.times = timeInterleaved(
         [this] { renderTechnique(); }, [this] { renderReference(); },
@@ -112,6 +119,7 @@ void Comparison::look(const ComparisonRequest& request, Measurement& measurement
                       const WorkObserver& observe) {
   if (!request.stages) {
     measurement.gpuBytes = technique_.bytes();
+    measurement.plan = technique_.plan();
     return;
   }
   observe(kShareOfTiming, "looking at each stage");

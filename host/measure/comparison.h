@@ -60,6 +60,7 @@ class Comparison {
 
  private:
   void draw(const Camera& camera, glm::ivec2 size);
+  void setCosts(const std::optional<mres::Costs>& costs);
   void render(const ComparisonRequest& request, Measurement& measurement, const WorkObserver& observe);
   void renderTechnique() { techniqueTexture_ = technique_.render(frame_); }
   void renderReference() { referenceTexture_ = reference_.render(frame_); }

@@ -63,6 +63,7 @@ mres::MultiResolution makeMultiResolution(const PictureSettings& settings, const
   options.measureCoverage = coverage == EffectInstance::Coverage::measured;
   mres::MultiResolution multiResolution(options);
   multiResolution.settings().technique = technique.own.value();
+  multiResolution.settings().plan = settings.plan;
   multiResolution.settings().mask = settings.mask;
   if (technique.minMaxMips) multiResolution.settings().mask.minMaxMips = true;
   return multiResolution;
@@ -148,8 +149,13 @@ std::size_t EffectInstance::bytes() const {
   return peer_ ? peer_->bytes() + effect_->bytes() : multiResolution_->report().bytes;
 }
 
+mres::PlanReport EffectInstance::plan() const {
+  return peer_ ? mres::PlanReport() : multiResolution_->report().plan;
+}
+
 void EffectInstance::describe(Measurement& measurement) const {
   measurement.gpuBytes = bytes();
+  measurement.plan = plan();
   if (peer_) {
     measurement.work = peer_->work();
     return;
@@ -158,6 +164,22 @@ void EffectInstance::describe(Measurement& measurement) const {
   measurement.coverage = coverageOf(report);
   for (const mres::Skip& skip : report.skipped)
     measurement.skipped.push_back({std::string(skip.what), std::string(skip.reason)});
+}
+
+std::optional<mres::Costs> EffectInstance::calibrate(mres::Frame frame) {
+  if (!mayFallBack()) return std::nullopt;
+  frame.importance = importance_.id();
+  return multiResolution_->calibrate(*effect_, frame);
+}
+
+void EffectInstance::setCosts(const std::optional<mres::Costs>& costs) {
+  if (multiResolution_) multiResolution_->setCosts(*effect_, costs);
+}
+
+bool EffectInstance::mayFallBack() {
+  if (peer_) return false;
+  const mres::Settings& settings = multiResolution_->settings();
+  return settings.technique == mres::Technique::multiResolution && settings.plan.fallBack;
 }
 
 mres::Frame frameOf(const Renderer& renderer, const GBufferTextures& gbuffer, glm::ivec2 size) {

@@ -44,13 +44,23 @@ class EffectInstance {
   /// Of GPU memory, effect included.
   [[nodiscard]] std::size_t bytes() const;
 
-  /// Adds what the last render() needed: coverage, skips and bytes, or a peer's work.
+  /// Of the last render(); nothing of peers.
+  [[nodiscard]] mres::PlanReport plan() const;
+
+  /// Adds what the last render() needed: plan, coverage, skips and bytes, or a peer's work.
   void describe(Measurement& measurement) const;
 
   /// Null where a peer renders.
   mres::MultiResolution* multiResolution() { return multiResolution_ ? &*multiResolution_ : nullptr; }
 
+  /// What the frame takes on this device, so that the faster plan renders; none where there is no choice.
+  std::optional<mres::Costs> calibrate(mres::Frame frame);
+  /// Takes those of an instance of the same settings; none: levels render.
+  void setCosts(const std::optional<mres::Costs>& costs);
+
  private:
+  [[nodiscard]] bool mayFallBack();
+
   std::unique_ptr<mres::Effect> effect_;
   std::optional<mres::MultiResolution> multiResolution_;  // or else a peer
   std::unique_ptr<Peer> peer_;

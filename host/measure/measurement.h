@@ -62,6 +62,7 @@ struct Measurement {
   std::vector<StageCost> stages;  ///< of the technique; none if no timing was asked for
   std::string stagesClock;        ///< what the stages were timed with
   std::vector<SkippedPart> skipped;
+  mres::PlanReport plan;
   std::size_t gpuBytes = 0;
   double seconds = 0.0;  ///< that all of it took, writing pictures and, where it had to be, loading the scene
   Json pictures = Json::object();     ///< what a picture shows -> its file, relative to the report

@@ -17,6 +17,7 @@ namespace host {
 struct PictureSettings {
   std::string effect = "ssao";             ///< one of effectNames(), or kNoEffect
   std::string technique = kMresTechnique;  ///< one of techniqueNames()
+  mres::PlanSettings plan;
   mres::MaskSettings mask;
   mres::SsaoSettings ssao;
   mres::SoftShadowSettings softShadows;

@@ -62,6 +62,17 @@ Json toJson(const TemporalErrors& temporal) {
           {"non_finite", temporal.nonFinite}};
 }
 
+/// What levels and the plain effect were expected to take; null where that was not measured.
+Json toJson(const mres::PlanReport& plan, glm::ivec2 size) {
+  const double milliseconds = 1e-6 * size.x * size.y;  // of a nanosecond a pixel
+  Json json{
+      {"falls_back", plan.fallsBack}, {"reason", plan.reason}, {"levels_ms", Json()}, {"plain_ms", Json()}};
+  if (!plan.costs) return json;
+  json["levels_ms"] = plan.costs->levels() * milliseconds;
+  json["plain_ms"] = plan.costs->plain() * milliseconds;
+  return json;
+}
+
 Json clockName(Clock clock) {
   return clock == Clock::gpu ? "GL_TIME_ELAPSED" : "glFinish+steady_clock";
 }
@@ -129,6 +140,7 @@ Json toJson(const Measurement& measurement) {
   result["skipped"] = Json::array();
   for (const SkippedPart& part : measurement.skipped)
     result["skipped"].push_back({{"what", part.what}, {"reason", part.reason}});
+  result["plan"] = toJson(measurement.plan, measurement.size);
   result["gpu_bytes"] = measurement.gpuBytes;
   result["seconds"] = measurement.seconds;
   result["settings"] = measurement.settings;

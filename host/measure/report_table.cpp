@@ -149,6 +149,21 @@ std::string certainty(const Json& result) {
                      result["clock"].get<std::string>());
 }
 
+/// A sentence for each picture that the plain effect was faster for.
+std::string fallBacks(const Json& results) {
+  std::string text;
+  for (const Json& result : results) {
+    const Json plan = result.value("plan", Json::object());
+    if (!plan.value("falls_back", false)) continue;
+    text += fmt::format(
+        "\nCamera {}, {}: the plain effect stood in for levels, which would take {:.1f} ms instead of "
+        "{:.1f}.\n",
+        result["camera"].dump(), sizeOf(result), plan["levels_ms"].get<double>(),
+        plan["plain_ms"].get<double>());
+  }
+  return text;
+}
+
 }  // namespace
 
 Rows tableRows(const Json& report) {
@@ -167,6 +182,7 @@ std::string toTable(const Json& report) {
       fmt::format("{}, {} cores\n\n", machine["renderer"].get<std::string>(), machine["cores"].get<int>());
   text += formatTable(rows);
   if (results.size() == 1) text += certainty(results[0]);
+  text += fallBacks(results);
   const Rows stages = agreeIn(results, {"effect"}) ? stageRows(results) : Rows();
   if (!stages.empty()) text += "\nWhere the technique's time goes, stage by stage:\n" + formatTable(stages);
   return text;

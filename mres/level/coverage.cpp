@@ -10,6 +10,7 @@ void CoverageQueries::collect(Level& level) {
   GLuint samples = 0;
   glGetQueryObjectuiv(level.query.id(), GL_QUERY_RESULT, &samples);
   level.coverage = samples / level.pixels;
+  level.known = true;
   level.pending = false;
 }
 
@@ -30,10 +31,18 @@ void CoverageQueries::end() {
   counting_ = false;
 }
 
-double CoverageQueries::of(int index) {
+CoverageQueries::Level& CoverageQueries::collected(int index) {
   Level& level = levels_.at(static_cast<std::size_t>(index));
   collect(level);
-  return level.coverage;
+  return level;
+}
+
+double CoverageQueries::of(int index) {
+  return collected(index).coverage;
+}
+
+bool CoverageQueries::isKnown(int index) {
+  return collected(index).known;
 }
 
 }  // namespace mres

@@ -16,15 +16,18 @@ class CoverageQueries {
 
   /// Share of the level's pixels, as of the latest frame known; 1 while none is.
   [[nodiscard]] double of(int level);
+  [[nodiscard]] bool isKnown(int level);
 
  private:
   struct Level {
     gl::QueryName query;
     double pixels = 0.0;
     double coverage = 1.0;
+    bool known = false;
     bool pending = false;
   };
   static void collect(Level& level);
+  Level& collected(int level);
 
   std::array<Level, kMaxLevels> levels_;
   bool counting_ = false;

@@ -31,9 +31,17 @@ GLenum resultFormat(const EffectDescription& effect) {
 }
 
 void LevelTargets::ensure(const EffectDescription& effect, glm::ivec2 size, LevelRole role) {
-  if (targets_.raw.size() == size && role_ == role) return;
-  targets_ = make(effect, size, role);
+  if (targets_.raw.size() != size || !serves(role)) {
+    targets_ = make(effect, size, role);
+    madeFor_ = role;
+  }
   role_ = role;
+}
+
+// What has a zone can do without: falling back to the plain effect, and coming back, allocates nothing.
+bool LevelTargets::serves(LevelRole role) const {
+  const bool plainZone = madeFor_ == LevelRole::zoned || madeFor_ == LevelRole::masked;
+  return role == madeFor_ || (plainZone && role != LevelRole::refinable);
 }
 
 LevelTargets::Targets LevelTargets::make(const EffectDescription& effect, glm::ivec2 size, LevelRole role) {

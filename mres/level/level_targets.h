@@ -48,9 +48,11 @@ class LevelTargets {
     gl::RenderTarget composed;
   };
   static Targets make(const EffectDescription& effect, glm::ivec2 size, LevelRole role);
+  [[nodiscard]] bool serves(LevelRole role) const;
 
   gl::UniformBuffer<params::LevelParams> params_;
   Targets targets_;
+  LevelRole madeFor_ = LevelRole::coarsest;
   LevelRole role_ = LevelRole::coarsest;
 };
 

@@ -18,7 +18,7 @@ glm::ivec2 levelSize(glm::ivec2 fullSize, int level) {
   return (fullSize + stride - 1) / stride;
 }
 
-LevelPlan planLevels(Technique technique, const LevelTable& table, glm::ivec2 fullSize) {
+LevelPlan planLevels(Technique technique, const LevelTable& table, glm::ivec2 fullSize, bool fallsBack) {
   LevelPlan plan;
   for (int index = 0; index < kMaxLevels; ++index) {
     const auto slot = static_cast<std::size_t>(index);
@@ -26,6 +26,8 @@ LevelPlan planLevels(Technique technique, const LevelTable& table, glm::ivec2 fu
     const char* reason = nullptr;
     if (technique == Technique::full) {
       reason = index == 0 ? nullptr : "the full technique renders level 0 alone";
+    } else if (index > 0 && fallsBack) {
+      reason = "the plain effect is faster here";
     } else if (index > 0 && !table.at(slot).used) {
       reason = "not used by this effect";
     } else if (index > 0 && std::min(size.x, size.y) < kSmallestLevel) {

@@ -28,6 +28,9 @@ glm::ivec2 levelSize(glm::ivec2 fullSize, int level);
 /// Chooses the levels: level 0, which the result has the size of, and the coarser ones that the effect uses
 /// and that are large enough to be worth a pass. Technique::full, or a screen too small for a second level,
 /// gives level 0 alone.
-LevelPlan planLevels(Technique technique, const LevelTable& table, glm::ivec2 fullSize);
+///
+/// `fallsBack`: the plain effect stands in for levels, as it is faster.
+LevelPlan planLevels(Technique technique, const LevelTable& table, glm::ivec2 fullSize,
+                     bool fallsBack = false);
 
 }  // namespace mres

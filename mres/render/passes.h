@@ -13,6 +13,7 @@
 #include "mres/mask/min_max_pass.h"
 #include "mres/mask/preview_pass.h"
 #include "mres/mask/zone_pass.h"
+#include "mres/plan/plan_chooser.h"
 
 namespace mres {
 
@@ -90,6 +91,7 @@ struct EffectPasses {
   PreviewPass preview;
   CompositePass composite;
   CoverageQueries coverage;
+  PlanChooser chooser;
 };
 
 }  // namespace mres

@@ -88,9 +88,9 @@ TEST_F(Command, CompareMeasuresFlickerWhereAsked) {
 
 TEST_F(Command, FlickerIsTheSameWithTimingAndWithoutIt) {
   const json untimed = untimedComparison({"--frames", "2"});
-  const json timed =
-      json::parse(succeed({"compare", scene_, "--size", "64x36", "--samples", "8", "--repeat", "1",
-                           "--frames", "2", "--json", "-o", folder_ / "timed"}))["results"][0];
+  const json timed = json::parse(
+      succeed({"compare", scene_, "--size", "64x36", "--samples", "8", "--repeat", "1", "--set",
+               "fallBack=false", "--frames", "2", "--json", "-o", folder_ / "timed"}))["results"][0];
   EXPECT_EQ(timed["temporal"], untimed["temporal"]);
   EXPECT_EQ(timed["error"], untimed["error"]);
 }

@@ -44,6 +44,8 @@ Measurement example() {
   measurement.stages = {{"edges", 30.0}, {"level0", 70.0}};
   measurement.stagesClock = "glFinish+steady_clock";
   measurement.warnings = {"Something is left out."};
+  measurement.plan = {.reason = "levels are faster",
+                      .costs = mres::Costs{.shared = 1.0, .overhead = 2.0, .evaluation = 10.0, .work = 0.5}};
   measurement.skipped = {{"level1", "not used by this effect"}};
   measurement.gpuBytes = 123456;
   measurement.seconds = 46.4;
@@ -83,6 +85,10 @@ TEST(Report, HasTheFieldsThatScriptsRelyOn) {
   EXPECT_DOUBLE_EQ(result["efficiency"].get<double>(), 2.5 * result["work"].get<double>());
   EXPECT_EQ(result["stages_ms"].dump(), R"({"edges":30.0,"level0":70.0})");
   EXPECT_EQ(result["skipped"].dump(), R"([{"what":"level1","reason":"not used by this effect"}])");
+  EXPECT_EQ(result["plan"]["reason"], "levels are faster");
+  EXPECT_EQ(result["plan"]["falls_back"], false);
+  EXPECT_NEAR(result["plan"]["levels_ms"].get<double>(), 8.0 * 3840 * 2160 * 1e-6, 1e-9);
+  EXPECT_NEAR(result["plan"]["plain_ms"].get<double>(), 11.0 * 3840 * 2160 * 1e-6, 1e-9);
   EXPECT_EQ(result["stages_clock"], "glFinish+steady_clock");
   EXPECT_EQ(result["warnings"].dump(), R"(["Something is left out."])");
   EXPECT_EQ(result["gpu_bytes"], 123456);
@@ -208,6 +214,16 @@ TEST(ReportTable, AveragesNothingOfPicturesThatDifferInMoreThanTheirCameras) {
   Measurement second = example();
   second.size = {1920, 1080};
   EXPECT_THAT(toTable(reportOf({example(), second})), Not(HasSubstr("mean")));
+}
+
+TEST(ReportTable, SaysWhereThePlainEffectStoodIn) {
+  Measurement second = example();
+  EXPECT_THAT(toTable(reportOf({second})), Not(HasSubstr("stood in")));
+  second.camera = 5;
+  second.plan.fallsBack = true;
+  EXPECT_THAT(toTable(reportOf({example(), second})),
+              HasSubstr("Camera 5, 3840x2160: the plain effect stood in for levels, which would take 66.4 ms"
+                        " instead of 91.2."));
 }
 
 TEST(ReportTable, ShowsStagesOfOneEffectAlone) {
