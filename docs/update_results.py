@@ -5,7 +5,7 @@ Usage: docs/update_results.py REPORTS [PAGE]
 
 REPORTS is a folder of folders that mres compare and mres bench wrote. Each block of the page that begins with
 `<!-- begin KIND NAME -->` and ends with `<!-- end -->` is written anew from REPORTS/NAME and nothing else, KIND being
-machine, table, summary, truth, stages, plots or variants; plots go to results/NAME beside the page, and variants are the
+machine, table, summary, truth, stages, plots, pareto or variants; plots go to results/NAME beside the page, and variants are the
 folders below NAME, each with a report. Blocks of reports that are not there stay, and so does the text around them.
 """
 import json
@@ -162,6 +162,12 @@ def stages(report, _folder, _page):
     return markdown(rows)
 
 
+def pareto(_report, folder, _page):
+    """The tables that mres bench wrote, where it measured several techniques."""
+    tables = folder / "pareto.md"
+    return tables.read_text() if tables.exists() else None
+
+
 def plots(_report, folder, page):
     drawn = sorted((folder / "plots").glob("*.svg"))
     if not drawn:
@@ -176,7 +182,7 @@ def plots(_report, folder, page):
     return "\n".join(lines)
 
 
-KINDS = {function.__name__: function for function in (machine, table, summary, truth, stages, plots, variants)}
+KINDS = {function.__name__: function for function in (machine, table, summary, truth, stages, plots, pareto, variants)}
 
 
 def update(reports, page):

@@ -25,8 +25,23 @@ const RepeatPlan kUntimed{.pairs = 1, .warmUpSeconds = 0.0};  // each technique 
 PictureSettings settingsOf(const BenchCase& benchCase) {
   PictureSettings settings;
   settings.effect = benchCase.effect;
+  settings.technique = benchCase.technique;
+  settings.mask.errorBudget = benchCase.errorBudget;
   settingsTable(settings).set({"samples", std::to_string(benchCase.samples)});
   return settings;
+}
+
+PictureSettings referenceSettingsOf(const BenchCase& benchCase) {
+  BenchCase reference = benchCase;
+  reference.samples = referenceSamplesOf(benchCase);
+  return settingsOf(reference);
+}
+
+ComparisonRequest requestOf(const BenchCase& benchCase, const std::optional<RepeatPlan>& timing) {
+  ComparisonRequest request{benchCase.camera, benchCase.size, timing, benchCase.truth};
+  if (benchCase.frames > 0) request.path = CameraPath{.frames = benchCase.frames};
+  request.stages = benchCase.stages;
+  return request;
 }
 
 void requireMemoryFor(const BenchCase& benchCase, const PictureSettings& settings) {
@@ -94,7 +109,9 @@ std::optional<Measurement> Campaign::measure(const BenchCase& benchCase) {
   PictureSettings settings = settingsOf(benchCase);
   Measurement wanted = describePicture(*scene, settings, benchCase.camera, benchCase.size);
   wanted.settings = settingsTable(settings).values();
-  if (results_.contains(wanted, {request_.timing.has_value(), benchCase.truth})) return std::nullopt;
+  wanted.referenceSamples = referenceSamplesOf(benchCase);
+  const WantedParts parts{request_.timing.has_value(), benchCase.truth, benchCase.frames > 0};
+  if (results_.contains(wanted, parts)) return std::nullopt;
   try {
     return measure(benchCase, settings, wanted.settings);
   } catch (const std::runtime_error& error) {
@@ -106,10 +123,10 @@ std::optional<Measurement> Campaign::measure(const BenchCase& benchCase) {
 Measurement Campaign::measure(const BenchCase& benchCase, const PictureSettings& settings,
                               const Json& values) {
   requireMemoryFor(benchCase, settings);
-  Comparison& comparison = workbench_.comparison(settings, values);
+  Comparison& comparison = workbench_.comparison(settings, referenceSettingsOf(benchCase), values);
   noteOnce(benchCase, comparison);
   Measurement measurement = comparison.measure(
-      {benchCase.camera, benchCase.size, request_.timing, benchCase.truth},
+      requestOf(benchCase, request_.timing),
       [&](double share, const std::string& what) { show(kShareOfMeasuring * share, benchCase, what); });
   measurement.settings = values;
   measurement.pictures = writeCasePictures(benchCase, comparison, measurement.error->blocks.worst);

@@ -8,6 +8,8 @@ namespace host {
 
 /// How often campaigns time each picture: briefly, since they have hundreds.
 RepeatPlan campaignPlan();
+/// The same of the pareto suite, whose pictures each have many techniques.
+RepeatPlan paretoPlan();
 
 /// What a case takes at most by `plan` on the two cores of docs/results.md: with times that scatter so much
 /// that the plan's seconds are used up.

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "host/bench/pareto_tables.h"
 #include "host/bench/summary.h"
 #include "host/bench/truth_summary.h"
 #include "host/image/data_uri.h"
@@ -137,6 +138,15 @@ List worstPlacesOf(const Json& report, const fs::path& folder) {
   return places;
 }
 
+List planesOf(const Json& report) {
+  List list;
+  for (const ParetoPlane& plane : paretoPlanes(report))
+    list.push_back(Object{{"title", titleOf(plane)},
+                          {"points", tableOf(paretoRows(plane))},
+                          {"ratios", tableOf(paretoRatioRows(plane))}});
+  return list;
+}
+
 /// Of each scene that has some, in sentences.
 List warningsOf(const Json& report) {
   std::map<std::string, List> scenes;
@@ -174,6 +184,8 @@ std::string makePage(const Json& report, const std::vector<Plot>& plots, const f
   const List views = viewsOf(report, folder);
   const List worstPlaces = worstPlacesOf(report, folder);
   const List warnings = warningsOf(report);
+  const List planes = planesOf(report);
+  const Json own = withoutRivals(report);
   Object page{{"style", pageFile("style.css")},
               {"script", pageFile("script.js")},
               {"renderer", machine.value("renderer", "")},
@@ -181,7 +193,7 @@ std::string makePage(const Json& report, const std::vector<Plot>& plots, const f
               {"cores", machine.value("cores", Json(0)).dump()},
               {"version", report["version"].get<std::string>()},
               {"sortable_table", kainjow::mustache::partial([] { return pageFile("sortable_table.html"); })},
-              {"summary", tableOf(summaryRows(report))},
+              {"summary", tableOf(summaryRows(own))},
               {"has_plots", !plots.empty()},
               {"plots", plotsOf(plots, folder)},
               {"has_views", !views.empty()},
@@ -194,9 +206,12 @@ std::string makePage(const Json& report, const std::vector<Plot>& plots, const f
               {"settings", settingsOf(report)}};
   if (const std::string certainty = speedupCertainty(report); !certainty.empty())
     page["certainty"] = certainty;
-  if (const Json* greatest = greatestErrorOf(report)) page["greatest_error"] = errorOf(*greatest);
-  if (const auto truths = truthSummaryRows(report); !truths.empty())
+  if (const Json* greatest = greatestErrorOf(own)) page["greatest_error"] = errorOf(*greatest);
+  if (const auto truths = truthSummaryRows(own); !truths.empty())
     page["truth"] = Object{{"meaning", kTruthSummaryMeaning}, {"table", tableOf(truths)}};
+  if (!planes.empty())
+    page["rivals"] =
+        Object{{"meaning", kParetoMeaning}, {"ratio_meaning", kParetoRatioMeaning}, {"planes", planes}};
   if (const std::string commit = report.value("commit", ""); !commit.empty()) page["commit"] = commit;
   if (report.contains("date")) page["date"] = report["date"].get<std::string>();
   if (const std::string duration = durationOf(report); !duration.empty()) page["duration"] = duration;

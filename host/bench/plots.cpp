@@ -10,6 +10,8 @@
 
 #include "host/bench/gnuplot.h"
 #include "host/bench/mean_plots.h"
+#include "host/bench/pareto_plots.h"
+#include "host/bench/pareto_tables.h"
 #include "host/bench/plot_script.h"
 #include "host/console/output.h"
 #include "host/measure/result_names.h"
@@ -155,29 +157,39 @@ void removeOthers(const fs::path& folder, const std::vector<Plot>& plots) {
 }
 
 struct PlotScript {
-  const char* name;  ///< of the file, without extension
-  const char* title;
+  std::string name;  ///< of the file, without extension
+  std::string title;
   std::string commands;  ///< none: there is nothing to plot
 };
 
-}  // namespace
-
-std::optional<std::vector<Plot>> drawPlots(const Json& report, const fs::path& directory) {
-  const std::vector<Json> results = timedResults(report);
-  const std::vector<PlotScript> scripts{
+/// A plot for each plane of rivals, then what is told of mres alone.
+std::vector<PlotScript> scriptsOf(const Json& report) {
+  std::vector<PlotScript> scripts;
+  for (const ParetoPlane& plane : paretoPlanes(report))
+    scripts.push_back({plotNameOf(plane), "Time against error: " + titleOf(plane), paretoPlot(plane)});
+  const Json own = withoutRivals(report);
+  const std::vector<Json> results = timedResults(own);
+  const std::vector<PlotScript> ownScripts{
       {"mean-speedup-by-size", "Mean speedup by picture size (the paper's figure 6)",
        meanSpeedupBySize(results)},
       {"mean-speedup-by-samples", "Mean speedup by samples per pixel (the paper's figure 5)",
        meanSpeedupBySamples(results)},
-      {"errors", "Error of all views (the paper's figure 10)", errorBoxes(report)},
+      {"errors", "Error of all views (the paper's figure 10)", errorBoxes(own)},
       {"speedup-by-size", "Speedup by picture size", speedupBySize(results)},
       {"speedup-by-samples", "Speedup by samples per pixel", speedupBySamples(results)},
       {"error-against-time", "Error against time", errorAgainstTime(results)},
       {"stages", "Where the technique's time goes", stageShares(results)}};
+  scripts.insert(scripts.end(), ownScripts.begin(), ownScripts.end());
+  return scripts;
+}
+
+}  // namespace
+
+std::optional<std::vector<Plot>> drawPlots(const Json& report, const fs::path& directory) {
   const fs::path folder = "plots";
   const OutputDirectory output(directory / folder);
   std::vector<Plot> plots;
-  for (const auto& [name, title, commands] : scripts) {
+  for (const auto& [name, title, commands] : scriptsOf(report)) {
     if (commands.empty()) continue;
     const fs::path file = fs::path(name) += ".svg";
     if (!drawSvg(output.path() / file, fmt::format("set title {}\n{}", gnuplotQuoted(title), commands)))

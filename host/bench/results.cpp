@@ -15,6 +15,7 @@
 #include "host/console/notes.h"
 #include "host/console/output.h"
 #include "host/measure/report_check.h"
+#include "host/measure/result_names.h"
 
 namespace host {
 namespace fs = std::filesystem;
@@ -75,11 +76,13 @@ std::string today() {
 }
 
 bool isSamePicture(const Json& a, const Json& b) {
-  return std::ranges::all_of(kIdentity, [&](const char* field) { return a.at(field) == b.at(field); });
+  return std::ranges::all_of(kIdentity, [&](const char* field) { return a.at(field) == b.at(field); }) &&
+         referenceSamplesOf(a) == referenceSamplesOf(b);
 }
 
 bool has(const Json& result, WantedParts parts) {
-  return !(parts.times && result.at("speedup").is_null()) && !(parts.truth && truthsOf(result).is_null());
+  return !(parts.times && result.at("speedup").is_null()) && !(parts.truth && truthsOf(result).is_null()) &&
+         !(parts.temporal && result.value("temporal", Json()).is_null());
 }
 
 }  // namespace

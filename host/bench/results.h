@@ -13,6 +13,7 @@ namespace host {
 struct WantedParts {
   bool times = false;
   bool truth = false;
+  bool temporal = false;
 };
 
 /// What a campaign left in `file`. Throws std::runtime_error with a sentence if that is no sound report.

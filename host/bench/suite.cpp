@@ -5,6 +5,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "host/bench/pareto_suite.h"
 #include "host/console/parse.h"
 #include "host/console/usage_error.h"
 
@@ -140,17 +141,35 @@ Cases smokeSuite(const SuiteRequest& request) {
   return cases;
 }
 
+/// Time against error: what it takes to have every technique's.
+Cases paretoSuite(const SuiteRequest& request) {
+  Cases cases;
+  for (const BenchScene& scene : scenesOf(request))
+    std::ranges::copy(paretoCases(scene, request.thorough), std::back_inserter(cases));
+  return cases;
+}
+
+/// The same in seconds, for the tests.
+Cases paretoSmokeSuite(const SuiteRequest& request) {
+  Cases cases;
+  for (const BenchScene& scene : request.scenes)
+    std::ranges::copy(paretoSmokeCases(scene), std::back_inserter(cases));
+  return cases;
+}
+
 MakeCases suiteOf(const std::string& name) {
   if (name == "quick") return quickSuite;
   if (name == kPaperSuite) return paperSuite;
+  if (name == kParetoSuite) return paretoSuite;
   if (name == "smoke") return smokeSuite;
+  if (name == "pareto-smoke") return paretoSmokeSuite;
   throw UsageError(fmt::format("There is no suite '{}'{}", name, suggestion(name, suiteNames())));
 }
 
 }  // namespace
 
 const std::vector<std::string>& suiteNames() {
-  static const std::vector<std::string> kNames{"quick", kPaperSuite};
+  static const std::vector<std::string> kNames{"quick", kPaperSuite, kParetoSuite};
   return kNames;
 }
 
@@ -158,9 +177,15 @@ std::vector<BenchCase> suiteCases(const SuiteRequest& request) {
   return suiteOf(request.suite)(request);
 }
 
+int referenceSamplesOf(const BenchCase& benchCase) {
+  return benchCase.referenceSamples > 0 ? benchCase.referenceSamples : benchCase.samples;
+}
+
 std::string nameOf(const BenchCase& benchCase) {
-  return fmt::format("{} {} {}x{} {} {}", benchCase.scene.name, benchCase.camera, benchCase.size.x,
-                     benchCase.size.y, benchCase.effect, benchCase.samples);
+  const std::string name =
+      fmt::format("{} {} {}x{} {} {}", benchCase.scene.name, benchCase.camera, benchCase.size.x,
+                  benchCase.size.y, benchCase.effect, benchCase.samples);
+  return benchCase.technique == kMresTechnique ? name : fmt::format("{} {}", name, benchCase.technique);
 }
 
 }  // namespace host

@@ -19,11 +19,12 @@ const Scene& Workbench::scene(const BenchScene& wanted) {
   return scene_;
 }
 
-Comparison& Workbench::comparison(const PictureSettings& settings, const Json& values) {
-  Json key{settings.effect, values};
+Comparison& Workbench::comparison(const PictureSettings& settings, const PictureSettings& reference,
+                                  const Json& values) {
+  Json key{settings.effect, settings.technique, values, sampleCount(reference)};
   if (comparison_ && key_ == key) return *comparison_;
   comparison_.reset();  // before the next takes memory
-  comparison_ = std::make_unique<Comparison>(scene_, settings, softwareRasterizer_);
+  comparison_ = std::make_unique<Comparison>(scene_, settings, reference, softwareRasterizer_);
   key_ = std::move(key);
   // Compiles everything, so that slow cases need not be warmed up at their own size.
   comparison_->measure({0, kWarmUpSize, std::nullopt});

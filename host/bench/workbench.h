@@ -16,7 +16,8 @@ class Workbench {
   const Scene& scene(const BenchScene& wanted);
 
   /// Of the scene that was asked for last, with its shaders compiled.
-  Comparison& comparison(const PictureSettings& settings, const Json& values);
+  Comparison& comparison(const PictureSettings& settings, const PictureSettings& reference,
+                         const Json& values);
 
  private:
   bool softwareRasterizer_;

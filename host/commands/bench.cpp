@@ -10,6 +10,7 @@
 #include "host/bench/campaign.h"
 #include "host/bench/cost.h"
 #include "host/bench/page.h"
+#include "host/bench/pareto_tables.h"
 #include "host/bench/plots.h"
 #include "host/bench/results.h"
 #include "host/bench/scenes.h"
@@ -47,10 +48,11 @@ Examples:
   mres bench --suite paper -o out --resume   goes on after an interruption
   mres bench --suite paper --scenes models -o out
                                              the same of your own scenes, up to eight cameras of each
+  mres bench --suite pareto -o out           time against error of every technique, in less than an hour
   mres bench -o out --report                 measures nothing, draws what there is
 
 The folder gets results.json (after every measurement), plots/ as SVG where gnuplot is installed, pictures/, and
-report.html, which shows them all. An interruption leaves results.json and pictures/ of what was measured: --resume goes
+report.html, which shows them all; of several techniques also pareto.md, tables for documents. An interruption leaves results.json and pictures/ of what was measured: --resume goes
 on, --report makes plots and page of it. Results that are there already are kept as results.previous.json.)";
 
 /// A folder name for every suite.
@@ -64,11 +66,21 @@ fs::path resultsOf(const BenchOptions& options) {
 
 std::vector<BenchCase> casesOf(const BenchOptions& options) {
   SuiteRequest request = options.suite;
-  if (request.thorough && request.suite != kPaperSuite)
-    throw UsageError(fmt::format("Only the suite {0} can be thorough; give --suite {0}.", kPaperSuite));
+  if (request.thorough && request.suite != kPaperSuite && request.suite != kParetoSuite)
+    throw UsageError(fmt::format("Only the suites {0} and {1} can be thorough; give --suite {0} or {1}.",
+                                 kPaperSuite, kParetoSuite));
   suiteCases(request);  // an unknown name is told before a folder is searched
   request.scenes = findScenes(options.scenes);
   return suiteCases(request);
+}
+
+/// As the suite has it, with the pairs that were asked for.
+std::optional<RepeatPlan> planOf(const BenchOptions& options) {
+  std::optional<RepeatPlan> plan = options.timing.plan();
+  if (!plan || options.suite.suite != kParetoSuite) return plan;
+  RepeatPlan shorter = paretoPlan();
+  shorter.pairs = plan->pairs;
+  return shorter;
 }
 
 /// Plots and page, of what was measured.
@@ -77,12 +89,23 @@ void writeReport(const Json& report, const fs::path& folder) {
   if (!plots)
     fmt::print(stderr, "mres: No plots were drawn; install gnuplot (apt-get install gnuplot-nox).\n");
   writeTextFile(folder / "report.html", makePage(report, plots.value_or(std::vector<Plot>()), folder));
+  if (const std::string rivals = paretoMarkdown(report); !rivals.empty())
+    writeTextFile(folder / "pareto.md", rivals);
 }
 
 /// With a sentence of what it tells; nothing without truths.
 std::string truthSummary(const Json& report) {
   const auto rows = truthSummaryRows(report);
   return rows.empty() ? "" : fmt::format("\n{}\n\n{}", kTruthSummaryMeaning, formatTable(rows));
+}
+
+/// Time against error, where several techniques were measured.
+std::string rivalsText(const Json& report) {
+  std::string text;
+  for (const ParetoPlane& plane : paretoPlanes(report))
+    text += fmt::format("\n{}\n\n{}\n{}", titleOf(plane), formatTable(paretoRows(plane)),
+                        formatTable(paretoRatioRows(plane)));
+  return text.empty() ? "" : fmt::format("\n{}\n\n{}\n{}", kParetoMeaning, kParetoRatioMeaning, text);
 }
 
 void showReport(const Json& report, const BenchOptions& options) {
@@ -93,8 +116,9 @@ void showReport(const Json& report, const BenchOptions& options) {
     return;
   }
   const std::string duration = durationOf(report);
-  fmt::print("{}\n{}{}\n{}results.json and report.html are in {}\n", toTable(report),
-             formatTable(summaryRows(report)), truthSummary(report),
+  const Json own = withoutRivals(report);
+  fmt::print("{}\n{}{}{}\n{}results.json and report.html are in {}\n", toTable(report),
+             formatTable(summaryRows(own)), truthSummary(own), rivalsText(report),
              duration.empty() ? "" : fmt::format("Measured in {}.\n", duration),
              fs::weakly_canonical(folder).string());
 }
@@ -103,7 +127,7 @@ void measureAndShow(const BenchOptions& options) {
   std::vector<BenchCase> cases = casesOf(options);
   const OutputDirectory output(outputOf(options));
   const GlContext context;
-  Campaign campaign({std::move(cases), options.timing.plan(), output.path(), options.resume}, context.info());
+  Campaign campaign({std::move(cases), planOf(options), output.path(), options.resume}, context.info());
   const Json& report = campaign.run();
   if (report["results"].empty()) throw std::runtime_error("Nothing could be measured.");
   showReport(report, options);
@@ -139,15 +163,17 @@ void addBenchCommand(CLI::App& app, Action& action) {
   options->timing.repeat = campaignPlan();
   command
       ->add_option("--suite", options->suite.suite,
-                   fmt::format("{} (default {})", fmt::join(suiteNames(), " or "), suiteNames().front()))
+                   fmt::format("{} (default {})", fmt::join(suiteNames(), ", "), suiteNames().front()))
       ->type_name("NAME");
   command
       ->add_option("--scenes", options->scenes,
                    "instead of the built-in scenes: .gltf and .glb files, and folders of them")
       ->type_name("DIR|FILE...")
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command->add_flag("--thorough", options->suite.thorough,
-                    "with --suite paper: every view with every number of samples, which takes hours");
+  command->add_flag(
+      "--thorough", options->suite.thorough,
+      "with --suite paper or pareto: every view with every number of samples or technique, which "
+      "takes hours");
   command
       ->add_option_function<std::string>(
           "-o,--output", [options](const std::string& folder) { options->output = folder; },

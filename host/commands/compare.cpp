@@ -39,12 +39,13 @@ Examples:
   mres compare hall --camera all --no-timing -o out     pictures and errors of every camera
   mres compare hall --truth --no-timing -o out          what the reference itself is worth
   mres compare hall --frames 8 --no-timing -o out       how much the technique flickers as the camera moves
+  mres compare hall --technique half-joint -o out       what half of the resolution gives instead
   mres compare room.glb --samples 16 --set radius=0.8 --json -o out
 
 The folder gets full.png and mres.png (lit), effect_full and effect_mres (.png, and .exr with the exact values),
 difference.png (8 times enhanced), edges.png (red normals, green depth, blue edges of the effect itself such as those
 of shadows), levels.png (red full, green half, blue quarter, black eighth resolution) and report.json; with --camera all
-the pictures lie in a folder for each camera.)";
+the pictures lie in a folder for each camera. edges.png and levels.png are of mres's own techniques.)";
 
 /// Where the pictures of a camera go, relative to the output.
 fs::path pictureFolder(std::size_t cameras, int camera) {
@@ -160,7 +161,7 @@ void addCompareCommand(CLI::App& app, Action& action) {
   command->add_option("-o,--output", options->output, "where pictures and report.json go")
       ->required()
       ->type_name("DIR");
-  command->footer(kExamples + describeSettings());
+  command->footer(kExamples + describeChoices());
   command->callback([&action, options] { action = [options] { runCompare(*options); }; });
 }
 

@@ -194,7 +194,7 @@ void addRenderCommand(CLI::App& app, Action& action) {
   command->add_option("-o,--output", options->output, "the picture, .png or .exr")
       ->required()
       ->type_name("FILE");
-  command->footer(kExamples + describeSettings());
+  command->footer(kExamples + describeChoices());
   command->callback([&action, options] { action = [options] { runRender(*options); }; });
 }
 

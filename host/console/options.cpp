@@ -36,9 +36,8 @@ std::string parseEffect(const std::string& name) {
   throw UsageError(fmt::format("There is no effect '{}'{}", name, suggestion(name, choices)));
 }
 
-mres::Technique parseTechnique(const std::string& name) {
-  const auto found = std::ranges::find(techniqueNames(), name);
-  if (found != techniqueNames().end()) return static_cast<mres::Technique>(found - techniqueNames().begin());
+std::string parseTechnique(const std::string& name) {
+  if (std::ranges::find(techniqueNames(), name) != techniqueNames().end()) return name;
   throw UsageError(fmt::format("There is no technique '{}'{}", name, suggestion(name, techniqueNames())));
 }
 
@@ -53,6 +52,13 @@ template <class Apply>
 CLI::Option* addText(CLI::App& command, const std::string& name, const char* value, const Apply& apply,
                      const std::string& description) {
   return command.add_option_function<std::string>(name, apply, description)->type_name(value);
+}
+
+std::string describeTechniques() {
+  std::string text = "\n\nTechniques of --technique:\n";
+  for (const TechniqueChoice& choice : techniques())
+    text += fmt::format("  {}: {}\n", choice.name, choice.meaning);
+  return text;
 }
 
 }  // namespace
@@ -76,8 +82,8 @@ Json valuesOf(PictureSettings& settings) {
   return values;
 }
 
-std::string describeSettings() {
-  std::string text;
+std::string describeChoices() {
+  std::string text = describeTechniques();
   for (const std::string& effect : effectNames()) {
     PictureSettings defaults;
     defaults.effect = effect;
@@ -96,9 +102,8 @@ void addPictureOptions(CLI::App& command, PictureOptions& options) {
   addText(
       command, "--technique", "NAME",
       [&](const std::string& name) { settings.technique = parseTechnique(name); },
-      fmt::format("full: every pixel; mres-paper: levels as the paper chooses them, by blurred masks; "
-                  "mres: each part at the resolution it needs (default {})",
-                  nameOf(settings.technique)));
+      fmt::format("how the effect is rendered; techniques are listed below (default {})",
+                  settings.technique));
   addText(
       command, "--samples", "N",
       [=](const std::string& value) {

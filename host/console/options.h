@@ -48,8 +48,8 @@ SettingsTable settingsTable(PictureSettings& settings);
 /// The values of those, and what else a picture depends on, for its report.
 Json valuesOf(PictureSettings& settings);
 
-/// All settings with defaults and meanings, for the end of a command's help.
-std::string describeSettings();
+/// All techniques, and all settings with defaults and meanings, for the end of a command's help.
+std::string describeChoices();
 
 /// Throws std::runtime_error with a sentence if the scene hasn't that camera.
 void requireCamera(const Scene& scene, int camera);

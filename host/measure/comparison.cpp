@@ -9,7 +9,7 @@
 namespace host {
 namespace {
 
-constexpr mres::Technique kReference = mres::Technique::full;
+constexpr const char* kReference = kFullTechnique;
 constexpr double kShareOfTiming = 0.85;  // of the work on a view, about
 constexpr double kShareOfPath = 0.5;     // of the whole work, about, where there is one
 
@@ -25,13 +25,15 @@ TruthErrors errorsAgainst(const Truth& truth, const FloatImage& technique, const
 
 }  // namespace
 
-Comparison::Comparison(const Scene& scene, const PictureSettings& settings, bool softwareRasterizer)
+Comparison::Comparison(const Scene& scene, const PictureSettings& settings, const PictureSettings& reference,
+                       bool softwareRasterizer)
     : scene_(scene),
       settings_(settings),
+      referenceSettings_(reference),
       softwareRasterizer_(softwareRasterizer),
       renderer_(scene, profiler_, rendererSettings(settings)),
       technique_(settings, settings.technique, EffectInstance::Coverage::unmeasured),
-      reference_(settings, kReference, EffectInstance::Coverage::unmeasured),
+      reference_(reference, kReference, EffectInstance::Coverage::unmeasured),
       inspected_(settings, settings.technique, EffectInstance::Coverage::measured) {}
 
 /// The geometry, and what effects read besides.
@@ -101,22 +103,33 @@ TemporalErrors Comparison::measureFlicker(const ComparisonRequest& request, cons
 Measurement Comparison::measureView(const ComparisonRequest& request, const WorkObserver& observe) {
   draw(scene_.cameras.at(request.camera), request.size);
   Measurement measurement = describePicture(scene_, settings_, request.camera, request.size);
-  measurement.reference = nameOf(kReference);
+  measurement.reference = kReference;
+  measurement.referenceSamples = sampleCount(referenceSettings_);
   measurement.warnings = warnings();
   render(request, measurement, observe);
   observe(kShareOfTiming, "comparing the pictures");
   readValues();
   measurement.error = compareImages(techniqueValues_, referenceValues_);
-  observe(kShareOfTiming, "looking at each stage");
-  inspect(inspected_, frame_, request.timing ? stageClockOf(softwareRasterizer_) : StageClock::off,
-          measurement);
+  look(request, measurement, observe);
   if (request.truth) measurement.truths = compareWithTruths(observe);
   return measurement;
 }
 
+void Comparison::look(const ComparisonRequest& request, Measurement& measurement,
+                      const WorkObserver& observe) {
+  if (!request.stages) {
+    measurement.gpuBytes = technique_.bytes();
+    measurement.plan = technique_.plan();
+    return;
+  }
+  observe(kShareOfTiming, "looking at each stage");
+  inspect(inspected_, frame_, request.timing ? stageClockOf(softwareRasterizer_) : StageClock::off,
+          measurement);
+}
+
 /// Of the values read back.
 std::vector<TruthErrors> Comparison::compareWithTruths(const WorkObserver& observe) {
-  if (!truthFinder_) truthFinder_ = std::make_unique<TruthFinder>(scene_, settings_);
+  if (!truthFinder_) truthFinder_ = std::make_unique<TruthFinder>(scene_, referenceSettings_);
   std::vector<TruthErrors> errors;
   for (const Truth& truth : truthFinder_->find(frame_, inputs_, partOf(observe, kShareOfTiming, 1.0)))
     errors.push_back(errorsAgainst(truth, techniqueValues_, referenceValues_));
@@ -135,8 +148,10 @@ ComparisonPictures Comparison::pictures() {
   pictures.referenceEffect = referenceValues_;
   pictures.techniqueEffect = techniqueValues_;
   pictures.difference = differenceImage(techniqueValues_, referenceValues_, kDifferenceEnhancement);
-  const auto debugView = [this](mres::DebugView view) {
-    return readTexture(technique_.multiResolution().debugView(view), frame_.size, 3);
+  mres::MultiResolution* multiResolution = technique_.multiResolution();
+  if (multiResolution == nullptr) return pictures;
+  const auto debugView = [&](mres::DebugView view) {
+    return readTexture(multiResolution->debugView(view), frame_.size, 3);
   };
   pictures.edges = debugView(mres::DebugView::edges);
   pictures.levels = debugView(mres::DebugView::levels);

@@ -21,6 +21,7 @@ struct ComparisonRequest {
   std::optional<RepeatPlan> timing = std::nullopt;  ///< none: pictures and errors alone
   bool truth = false;  ///< whether to measure against better pictures than the reference, too
   std::optional<CameraPath> path = std::nullopt;  ///< none: no flicker is measured
+  bool stages = true;  ///< whether to look at coverage and at each stage, which takes frames of its own
 };
 
 /// The pictures of a comparison, encoded for display but for the effect's values.
@@ -30,7 +31,8 @@ struct ComparisonPictures {
   FloatImage referenceEffect;  ///< the effect's values; see error_metrics.h
   FloatImage techniqueEffect;
   FloatImage difference;  ///< of the effect's values, kDifferenceEnhancement times enhanced
-  FloatImage edges;       ///< red normals, green depth, blue what the effect finds itself, e.g. shadows
+  // Of mres's own techniques; empty for peers.
+  FloatImage edges;   ///< red normals, green depth, blue what the effect finds itself, e.g. shadows
   FloatImage levels;  ///< the finest level at each pixel: red full, green half, blue quarter, black eighth
 };
 
@@ -41,7 +43,11 @@ inline constexpr float kDifferenceEnhancement = 8.0f;
 class Comparison {
  public:
   /// `scene` must outlive the comparison.
-  Comparison(const Scene& scene, const PictureSettings& settings, bool softwareRasterizer);
+  Comparison(const Scene& scene, const PictureSettings& settings, bool softwareRasterizer)
+      : Comparison(scene, settings, settings, softwareRasterizer) {}
+  /// `reference` may differ from `settings` in the effect's own alone.
+  Comparison(const Scene& scene, const PictureSettings& settings, const PictureSettings& reference,
+             bool softwareRasterizer);
 
   Measurement measure(
       const ComparisonRequest& request, const WorkObserver& observe = [](auto&&...) {});
@@ -61,11 +67,13 @@ class Comparison {
   void readValues();
   Measurement measureView(const ComparisonRequest& request, const WorkObserver& observe);
   TemporalErrors measureFlicker(const ComparisonRequest& request, const WorkObserver& observe);
+  void look(const ComparisonRequest& request, Measurement& measurement, const WorkObserver& observe);
   std::vector<TruthErrors> compareWithTruths(const WorkObserver& observe);
   FloatImage litBy(GLuint effect);
 
   const Scene& scene_;
   PictureSettings settings_;
+  PictureSettings referenceSettings_;
   bool softwareRasterizer_;
   mres::gl::Profiler profiler_;
   Renderer renderer_;

@@ -6,6 +6,7 @@
 
 #include "host/image/image_file.h"
 #include "host/measure/statistics.h"
+#include "host/peers/peer_kinds.h"
 
 namespace host {
 namespace {
@@ -22,9 +23,9 @@ std::string stageName(std::string_view scope) {
 }
 
 /// The stages of one frame, those of the same name added up.
-std::vector<StageCost> stagesOf(const mres::Report& report) {
+std::vector<StageCost> stagesOf(const std::vector<mres::gl::StageTime>& times) {
   std::vector<StageCost> stages;
-  for (const mres::gl::StageTime& time : report.stages) {
+  for (const mres::gl::StageTime& time : times) {
     const std::string name = stageName(time.name);
     const auto known = std::ranges::find(stages, name, &StageCost::name);
     if (known == stages.end())
@@ -55,16 +56,23 @@ std::vector<StageCost> medianStages(const std::vector<std::vector<StageCost>>& f
   return stages;
 }
 
-mres::MultiResolution makeMultiResolution(const PictureSettings& settings, mres::Technique technique,
+mres::MultiResolution makeMultiResolution(const PictureSettings& settings, const TechniqueChoice& technique,
                                           EffectInstance::Coverage coverage) {
   mres::Options options;
   options.shaderDirectory = settings.renderer.shaderDirectory;
   options.measureCoverage = coverage == EffectInstance::Coverage::measured;
   mres::MultiResolution multiResolution(options);
-  multiResolution.settings().technique = technique;
+  multiResolution.settings().technique = technique.own.value();
   multiResolution.settings().plan = settings.plan;
   multiResolution.settings().mask = settings.mask;
+  if (technique.minMaxMips) multiResolution.settings().mask.minMaxMips = true;
   return multiResolution;
+}
+
+PeerOptions peerOptions(const PictureSettings& settings, EffectInstance::Coverage coverage) {
+  return {.shaderDirectory = settings.renderer.shaderDirectory,
+          .errorBudget = settings.mask.errorBudget,
+          .measureWork = coverage == EffectInstance::Coverage::measured};
 }
 
 /// From the first channel of a picture.
@@ -87,7 +95,7 @@ std::vector<std::vector<StageCost>> inspectFrames(EffectInstance& instance, cons
   do {
     instance.render(frame);
     glFinish();  // or the next frames would find that queries are not ready, and drop them
-    frames.push_back(stagesOf(instance.multiResolution().report()));
+    frames.push_back(stagesOf(instance.stages()));
     for (const StageCost& stage : frames.back()) spentMs += stage.milliseconds;
   } while (frames.size() < kMostInspectedFrames && spentMs < kEnoughInspectedMs);
   return frames;
@@ -96,14 +104,14 @@ std::vector<std::vector<StageCost>> inspectFrames(EffectInstance& instance, cons
 void timeStages(EffectInstance& instance, const mres::Frame& frame, StageClock clock,
                 Measurement& measurement) {
   const bool byQueries = clock == StageClock::query;
-  instance.multiResolution().setProfiling(clock);
+  instance.setProfiling(clock);
   for (int i = 0; byQueries && i < kQueryLatency; ++i) {
     instance.render(frame);
     glFinish();
   }
   measurement.stages = medianStages(inspectFrames(instance, frame));
   measurement.stagesClock = byQueries ? "GL_TIMESTAMP" : "glFinish+steady_clock";
-  instance.multiResolution().setProfiling(StageClock::off);
+  instance.setProfiling(StageClock::off);
 }
 
 }  // namespace
@@ -112,24 +120,65 @@ StageClock stageClockOf(bool softwareRasterizer) {
   return softwareRasterizer ? StageClock::finish : StageClock::query;
 }
 
-EffectInstance::EffectInstance(const PictureSettings& settings, mres::Technique technique, Coverage coverage)
-    : effect_(makeEffect(settings)),
-      multiResolution_(makeMultiResolution(settings, technique, coverage)),
-      importance_(importanceTexture(settings.importance)) {}
+EffectInstance::EffectInstance(const PictureSettings& settings, const std::string& technique,
+                               Coverage coverage)
+    : effect_(makeEffect(settings)), importance_(importanceTexture(settings.importance)) {
+  if (const TechniqueChoice& choice = techniqueOf(technique); choice.own)
+    multiResolution_.emplace(makeMultiResolution(settings, choice, coverage));
+  else
+    peer_ = makePeer(technique, effect_->description(), peerOptions(settings, coverage));
+}
 
 GLuint EffectInstance::render(mres::Frame frame) {
   frame.importance = importance_.id();
-  return multiResolution_.render(*effect_, frame);
+  return peer_ ? peer_->render(*effect_, frame) : multiResolution_->render(*effect_, frame);
+}
+
+void EffectInstance::setProfiling(StageClock clock) {
+  if (peer_)
+    peer_->setProfiling(clock);
+  else
+    multiResolution_->setProfiling(clock);
+}
+
+const std::vector<mres::gl::StageTime>& EffectInstance::stages() const {
+  return peer_ ? peer_->stages() : multiResolution_->report().stages;
+}
+
+std::size_t EffectInstance::bytes() const {
+  return peer_ ? peer_->bytes() + effect_->bytes() : multiResolution_->report().bytes;
+}
+
+mres::PlanReport EffectInstance::plan() const {
+  return peer_ ? mres::PlanReport() : multiResolution_->report().plan;
+}
+
+void EffectInstance::describe(Measurement& measurement) const {
+  measurement.gpuBytes = bytes();
+  measurement.plan = plan();
+  if (peer_) {
+    measurement.work = peer_->work();
+    return;
+  }
+  const mres::Report& report = multiResolution_->report();
+  measurement.coverage = coverageOf(report);
+  for (const mres::Skip& skip : report.skipped)
+    measurement.skipped.push_back({std::string(skip.what), std::string(skip.reason)});
 }
 
 std::optional<mres::Costs> EffectInstance::calibrate(mres::Frame frame) {
   if (!mayFallBack()) return std::nullopt;
   frame.importance = importance_.id();
-  return multiResolution_.calibrate(*effect_, frame);
+  return multiResolution_->calibrate(*effect_, frame);
+}
+
+void EffectInstance::setCosts(const std::optional<mres::Costs>& costs) {
+  if (multiResolution_) multiResolution_->setCosts(*effect_, costs);
 }
 
 bool EffectInstance::mayFallBack() {
-  const mres::Settings& settings = multiResolution_.settings();
+  if (peer_) return false;
+  const mres::Settings& settings = multiResolution_->settings();
   return settings.technique == mres::Technique::multiResolution && settings.plan.fallBack;
 }
 
@@ -152,13 +201,7 @@ void inspect(EffectInstance& instance, const mres::Frame& frame, StageClock cloc
     instance.render(frame);
   else
     timeStages(instance, frame, clock, measurement);
-
-  const mres::Report& report = instance.multiResolution().report();
-  measurement.coverage = coverageOf(report);
-  for (const mres::Skip& skip : report.skipped)
-    measurement.skipped.push_back({std::string(skip.what), std::string(skip.reason)});
-  measurement.gpuBytes = report.bytes;
-  measurement.plan = report.plan;
+  instance.describe(measurement);
 }
 
 }  // namespace host

@@ -14,7 +14,7 @@ Measurement describePicture(const Scene& scene, const PictureSettings& settings,
   measurement.size = size;
   measurement.effect = settings.effect;
   measurement.samples = sampleCount(settings);
-  measurement.technique = nameOf(settings.technique);
+  measurement.technique = settings.technique;
   return measurement;
 }
 

@@ -49,15 +49,18 @@ struct Measurement {
   int samples = 0;
   std::string technique;
   std::optional<std::string> reference;
+  std::optional<int> referenceSamples;     ///< none: as many as the technique has
   Json settings;                           ///< every setting that the picture depends on
   std::optional<InterleavedTimes> times;   ///< none if pictures and errors alone were asked for; without
                                            ///< reference runs there is no speedup
   std::optional<ErrorMetrics> error;       ///< none without a reference
   std::vector<TruthErrors> truths;         ///< none if they weren't asked for
   std::optional<TemporalErrors> temporal;  ///< none if no flicker was asked for
-  std::vector<double> coverage;            ///< share of level i in which the effect ran
-  std::vector<StageCost> stages;           ///< of the technique; none if no timing was asked for
-  std::string stagesClock;                 ///< what the stages were timed with
+  std::vector<double> coverage;            ///< share of level i in which the effect ran; none of peers
+  /// Of peers: pixels in which the effect ran, for each of the full resolution.
+  std::optional<double> work;
+  std::vector<StageCost> stages;  ///< of the technique; none if no timing was asked for
+  std::string stagesClock;        ///< what the stages were timed with
   std::vector<SkippedPart> skipped;
   mres::PlanReport plan;
   std::size_t gpuBytes = 0;

@@ -39,6 +39,7 @@ Json writePictures(const ComparisonPictures& pictures, const std::filesystem::pa
                    const FileObserver& observe) {
   Json names = Json::object();
   for (const PictureFile& entry : kFiles) {
+    if ((pictures.*entry.picture).pixels.empty()) continue;  // not every technique has them all
     if (observe) observe(entry.file);
     writeImage(directory / entry.file, pictures.*entry.picture);
     names[entry.subject] = entry.file;

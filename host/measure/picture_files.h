@@ -10,8 +10,8 @@ namespace host {
 /// Called with the name of each file before it is written.
 using FileObserver = std::function<void(const std::string& name)>;
 
-/// Writes the pictures into `directory`, which exists, each file whole or not at all. Returns what each shows
-/// and its file name, for a report.
+/// Writes the pictures that there are into `directory`, which exists, each file whole or not at all. Returns
+/// what each shows and its file name, for a report.
 Json writePictures(const ComparisonPictures& pictures, const std::filesystem::path& directory,
                    const FileObserver& observe = {});
 

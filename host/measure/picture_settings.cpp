@@ -7,15 +7,6 @@ const std::vector<std::string>& effectNames() {
   return kNames;
 }
 
-const std::vector<std::string>& techniqueNames() {
-  static const std::vector<std::string> kNames{"full", "mres-paper", "mres"};
-  return kNames;
-}
-
-std::string nameOf(mres::Technique technique) {
-  return techniqueNames().at(static_cast<std::size_t>(technique));
-}
-
 std::unique_ptr<mres::Effect> makeEffect(const PictureSettings& settings) {
   if (settings.effect == kNoEffect) return nullptr;
   if (settings.effect == kSoftShadowEffect) return std::make_unique<mres::SoftShadows>(settings.softShadows);

@@ -7,6 +7,7 @@
 #include "effects/soft_shadows/soft_shadows.h"
 #include "effects/ssao/ssao.h"
 #include "effects/ssgi/ssgi.h"
+#include "host/measure/techniques.h"
 #include "host/renderer/renderer.h"
 #include "mres/mres.h"
 
@@ -14,8 +15,8 @@ namespace host {
 
 /// Everything of a picture that users choose besides scene, camera and size.
 struct PictureSettings {
-  std::string effect = "ssao";  ///< one of effectNames(), or kNoEffect
-  mres::Technique technique = mres::Technique::multiResolution;
+  std::string effect = "ssao";             ///< one of effectNames(), or kNoEffect
+  std::string technique = kMresTechnique;  ///< one of techniqueNames()
   mres::PlanSettings plan;
   mres::MaskSettings mask;
   mres::SsaoSettings ssao;
@@ -31,8 +32,6 @@ inline constexpr const char* kSsgiEffect = "ssgi";
 inline constexpr const char* kNoEffect = "none";
 
 const std::vector<std::string>& effectNames();
-const std::vector<std::string>& techniqueNames();
-std::string nameOf(mres::Technique technique);
 
 /// The effect that the settings name; nullptr for kNoEffect. Needs a current OpenGL context.
 std::unique_ptr<mres::Effect> makeEffect(const PictureSettings& settings);

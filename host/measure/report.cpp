@@ -95,17 +95,23 @@ void addTimes(Json& result, const InterleavedTimes& times) {
   result["speedup_interval"] = {speedup.low, speedup.high};
 }
 
-/// The floor is what the levels alone would take at the reference's cost per pixel, their filters included:
-/// masks, stencils and blends are what comes on top. Null where nothing was timed or no coverage is known.
-void addEfficiency(Json& result, const std::vector<double>& coverage) {
+/// Pixels in which the effect ran, for each of the full resolution.
+std::optional<double> knownWork(const Measurement& measurement) {
+  const std::vector<double>& coverage = measurement.coverage;
+  if (coverage.empty()) return measurement.work;
   double work = 0.0;
   for (std::size_t level = 0; level < coverage.size(); ++level)
     work += std::ldexp(coverage[level], -2 * static_cast<int>(level));
-  const bool isKnown = !coverage.empty();
-  const bool isTimed = isKnown && !result["speedup"].is_null();
-  result["work"] = isKnown ? Json(work) : Json();
-  result["floor_ms"] = isTimed ? Json(result["reference_time_ms"]["median"].get<double>() * work) : Json();
-  result["efficiency"] = isTimed ? Json(result["speedup"].get<double>() * work) : Json();
+  return work;
+}
+
+/// The floor is what the levels alone would take at the reference's cost per pixel, their filters included:
+/// masks, stencils and blends are what comes on top. Null where nothing was timed or no work is known.
+void addEfficiency(Json& result, std::optional<double> work) {
+  const bool isTimed = work && !result["speedup"].is_null();
+  result["work"] = work ? Json(*work) : Json();
+  result["floor_ms"] = isTimed ? Json(result["reference_time_ms"]["median"].get<double>() * *work) : Json();
+  result["efficiency"] = isTimed ? Json(result["speedup"].get<double>() * *work) : Json();
 }
 
 }  // namespace
@@ -121,12 +127,13 @@ Json toJson(const Measurement& measurement) {
               {"effect", measurement.effect},      {"samples", measurement.samples},
               {"technique", measurement.technique}};
   result["reference"] = measurement.reference ? Json(*measurement.reference) : Json();
+  result["reference_samples"] = measurement.referenceSamples.value_or(measurement.samples);
   addTimes(result, measurement.times.value_or(InterleavedTimes()));
   result["error"] = measurement.error ? toJson(*measurement.error) : Json();
   result["truth"] = toJson(measurement.truths);
   result["temporal"] = measurement.temporal ? toJson(*measurement.temporal) : Json();
   result["coverage"] = measurement.coverage;
-  addEfficiency(result, measurement.coverage);
+  addEfficiency(result, knownWork(measurement));
   result["stages_ms"] = Json::object();
   for (const StageCost& stage : measurement.stages) result["stages_ms"][stage.name] = stage.milliseconds;
   result["stages_clock"] = measurement.stages.empty() ? Json() : Json(measurement.stagesClock);

@@ -74,6 +74,10 @@ bool isTruth(const Json& value) {
          (has<isWhole>(value, "samples") || has<isWhole>(value, "rays"));
 }
 
+bool isTemporal(const Json& value) {
+  return has<isWhole>(value, "frames") && has<isNumber>(value, "rms");
+}
+
 /// Files by what they show, and one number.
 bool isPictures(const Json& value) {
   if (!value.is_object()) return false;
@@ -113,6 +117,7 @@ constexpr std::array kResultFields{Field{"scene", isText},
 
 /// Fields that older reports lack.
 constexpr std::array kLaterFields{
+    Field{"reference_samples", isWhole},          Field{"temporal", isNullOr<isTemporal>},
     Field{"truth", isNullOr<isTableOf<isTruth>>}, Field{"seconds", isNumber},
     Field{"warnings", isListOf<isText>},          Field{"work", isNullOr<isNumber>},
     Field{"floor_ms", isNullOr<isNumber>},        Field{"efficiency", isNullOr<isNumber>}};

@@ -7,6 +7,7 @@
 
 #include "host/measure/result_names.h"
 #include "host/measure/statistics.h"
+#include "host/measure/techniques.h"
 #include "host/measure/text_table.h"
 
 namespace host {
@@ -55,9 +56,16 @@ const std::vector<Figure>& figures() {
 
 constexpr std::array kNames{"scene", "camera", "size", "effect", "samples"};
 
+/// The technique goes without saying where it is mres's as it comes.
+std::string effectAndTechnique(const Json& result) {
+  const auto effect = result["effect"].get<std::string>();
+  const std::string technique = techniqueTitle(result);
+  return technique == kMresTechnique ? effect : fmt::format("{} by {}", effect, technique);
+}
+
 std::vector<std::string> namesOf(const Json& result) {
   return {result["scene"].get<std::string>(), result["camera"].dump(), sizeOf(result),
-          result["effect"].get<std::string>(), result["samples"].dump()};
+          effectAndTechnique(result), result["samples"].dump()};
 }
 
 /// How far the speedup's interval reaches to either side at most, where there are enough pairs for one.

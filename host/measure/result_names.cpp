@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "host/measure/techniques.h"
+
 namespace host {
 
 std::string viewOf(const Json& result) {
@@ -22,6 +24,30 @@ double megapixels(const Json& result) {
 
 std::string workOf(const Json& result) {
   return fmt::format("{}, {} samples", result["effect"].get<std::string>(), result["samples"].get<int>());
+}
+
+namespace {
+
+/// As it came out of the settings, which are floats.
+bool isDefaultBudget(const Json& budget) {
+  return budget.get<float>() == mres::MaskSettings{}.errorBudget;
+}
+
+}  // namespace
+
+std::string techniqueTitle(const Json& result) {
+  auto name = result["technique"].get<std::string>();
+  if (name == kFullTechnique && result["samples"] != referenceSamplesOf(result))
+    return fmt::format("{}, {} samples", name, result["samples"].get<int>());
+  const Json& settings = result["settings"];
+  if (!heedsErrorBudget(name) || !settings.contains("errorBudget") ||
+      isDefaultBudget(settings["errorBudget"]))
+    return name;
+  return fmt::format("{}, budget {}", name, settings["errorBudget"].get<float>());
+}
+
+int referenceSamplesOf(const Json& result) {
+  return result.value("reference_samples", result["samples"]).get<int>();
 }
 
 std::string durationOf(const Json& report) {

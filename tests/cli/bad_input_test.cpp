@@ -87,7 +87,13 @@ TEST_F(BadInput, UnknownNamesSuggestNearOnes) {
   EXPECT_THAT(failureOf({"hall"}, 2),
               HasSubstr("no command 'hall'; use one of info, render, compare, bench"));
   EXPECT_THAT(compareFailure({"--effect", "sao"}, 2), HasSubstr("did you mean ssao?"));
-  EXPECT_THAT(compareFailure({"--technique", "mre"}, 2), HasSubstr("did you mean mres or mres-paper?"));
+  EXPECT_THAT(compareFailure({"--technique", "mre"}, 2),
+              HasSubstr("did you mean mres or mres-paper or mres-min-max?"));
+  EXPECT_THAT(compareFailure({"--technique", "half-joined"}, 2), HasSubstr("did you mean half-joint?"));
+  EXPECT_THAT(
+      compareFailure({"--technique", "third"}, 2),
+      AllOf(HasSubstr("no technique 'third'; use one of full, mres-paper, mres-min-max, mres, half-bilinear"),
+            HasSubstr("interleaved, adaptive-tiles.")));
   EXPECT_THAT(compareFailure({"--set", "radios=1"}, 2), HasSubstr("did you mean radius?"));
   EXPECT_THAT(failureOf({"bench", "--suite", "quik", "-o", output_ / "bench"}, 2),
               HasSubstr("did you mean quick?"));

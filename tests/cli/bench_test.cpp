@@ -53,6 +53,34 @@ TEST_F(Command, BenchWritesACampaignAndResumesIt) {
   EXPECT_EQ(readFile(folder_.path() / "bench/results.json"), file) << "something was measured again";
 }
 
+TEST_F(Command, BenchOfRivalsHasTimeAgainstErrorAndResumes) {
+  const fs::path output = folder_.path() / "bench";
+  const std::vector<std::string> arguments{
+      "bench",    "--suite", "pareto-smoke", "--scenes", scene_,
+      "--repeat", "1",       "--resume",     "-o",       output.string()};
+  EXPECT_THAT(succeed(arguments), AllOf(HasSubstr("ssao 8, 64x36, 1 view"), HasSubstr("dominated by")));
+  const std::string file = readFile(output / "results.json");
+  const json results = json::parse(file)["results"];
+  ASSERT_EQ(results.size(), 4U);
+  for (const json& result : results) {
+    EXPECT_EQ(result["reference_samples"], 8);
+    EXPECT_TRUE(result["coverage"].empty()) << "stages cost frames";
+    EXPECT_GT(result["gpu_bytes"], 0);
+  }
+  for (const int rival : {2, 3})  // mres may fall back to the plain effect
+    EXPECT_GT(results[rival]["error"]["rms"], 0.0) << results[rival]["technique"];
+  EXPECT_EQ(results[0]["temporal"]["frames"], 2);
+  EXPECT_GT(results[0]["truth"]["converged"]["reference_rms"], 0.0);
+  EXPECT_GT(results[1]["settings"]["errorBudget"], results[0]["settings"]["errorBudget"]);
+  EXPECT_EQ(results[2]["technique"], "half-joint");
+  EXPECT_EQ(results[3]["technique"], "full");
+  EXPECT_EQ(results[3]["samples"], 2);
+  EXPECT_THAT(readFile(output / "report.html"), HasSubstr("<h2>Time against error</h2>"));
+  EXPECT_THAT(readFile(output / "pareto.md"), HasSubstr("| full, 2 samples |"));
+  EXPECT_EQ(runMres(arguments).exitCode, 0);
+  EXPECT_EQ(readFile(output / "results.json"), file) << "something was measured again";
+}
+
 TEST_F(Command, BenchReportsWhatIsThereWithoutMeasuring) {
   const fs::path output = folder_.path() / "bench";
   ASSERT_THAT(

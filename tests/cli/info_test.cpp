@@ -44,7 +44,8 @@ TEST_F(Command, SaysItsVersion) {
 
 TEST_F(Command, InfoNamesDeviceScenesEffectsAndTechniques) {
   EXPECT_THAT(succeed({"info"}),
-              AllOf(HasSubstr("OpenGL"), HasSubstr("office, hall, breakfast"), HasSubstr("ssao")));
+              AllOf(HasSubstr("OpenGL"), HasSubstr("office, hall, breakfast"), HasSubstr("ssao"),
+                    HasSubstr("full, mres-paper, mres-min-max, mres, half-bilinear")));
 }
 
 TEST_F(Command, InfoAsJson) {
@@ -53,7 +54,9 @@ TEST_F(Command, InfoAsJson) {
   EXPECT_GT(info["machine"]["cores"], 0);
   EXPECT_FALSE(info["machine"]["renderer"].get<std::string>().empty());
   EXPECT_EQ(info["scenes"], json({"office", "hall", "breakfast"}));
-  EXPECT_EQ(info["techniques"], json({"full", "mres-paper", "mres"}));
+  EXPECT_EQ(info["techniques"],
+            json({"full", "mres-paper", "mres-min-max", "mres", "half-bilinear", "half-joint",
+                  "quarter-bilinear", "quarter-joint", "checkerboard", "interleaved", "adaptive-tiles"}));
   EXPECT_EQ(info["effects"], json({"ssao", "ssm", "ssgi"}));
   EXPECT_GE(info["limits"]["texture_size"], 1024);
 }

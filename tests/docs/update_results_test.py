@@ -38,6 +38,7 @@ class UpdateResults(unittest.TestCase):
         self.reports = self.folder / "reports"
         (self.reports / "made-up/plots").mkdir(parents=True)
         (self.reports / "made-up/plots/speedup-by-size.svg").write_text("<svg/>")
+        (self.reports / "made-up/pareto.md").write_text("| technique |\n")
 
     def page(self, kind, report=REPORT):
         """The page after its one block was filled."""
@@ -66,6 +67,11 @@ class UpdateResults(unittest.TestCase):
         for kind in update_results.KINDS:
             with self.subTest(kind):
                 self.assertNotIn("old", self.page(kind, REPORT | {"results": []}))
+
+    def test_takes_the_tables_of_rivals_as_they_are(self):
+        self.assertIn("-->\n\n| technique |\n\n<!-- end", self.page("pareto"))
+        (self.reports / "made-up/pareto.md").unlink()
+        self.assertIn("old", self.page("pareto"))
 
     def test_names_machine_commit_and_date(self):
         self.assertIn("llvmpipe, 4.5, 2 cores, commit abc, 2026-01-02.\n", self.page("machine"))

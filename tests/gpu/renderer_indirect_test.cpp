@@ -75,7 +75,7 @@ class LightingIndirectTest : public RendererTest {
     Renderer renderer(scene, profiler(), {.exposureCompensation = stops});
     EXPECT_NE(renderer.exposure(), 1.0f) << "would hide a factor of it";
     const mres::Frame frame = frameOf(renderer, renderer.drawGeometry(camera, kSize), kSize);
-    EffectInstance instance(settings_, mres::Technique::full, EffectInstance::Coverage::unmeasured);
+    EffectInstance instance(settings_, kFullTechnique, EffectInstance::Coverage::unmeasured);
     instance.setInputs(drawInputs(renderer, settings_));
     const GLuint values = instance.render(frame);
     Pictures pictures;

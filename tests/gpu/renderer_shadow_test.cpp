@@ -242,8 +242,8 @@ TEST_F(ShadowTest, SoftShadowsOfMapsOfEverySizeBeginAtTheContactAndLeaveThePlane
   const glm::ivec2 size(160, 120);
   PictureSettings settings;
   settings.effect = kSoftShadowEffect;
-  EffectInstance full(settings, mres::Technique::full, EffectInstance::Coverage::unmeasured);
-  EffectInstance mixed(settings, mres::Technique::multiResolution, EffectInstance::Coverage::unmeasured);
+  EffectInstance full(settings, kFullTechnique, EffectInstance::Coverage::unmeasured);
+  EffectInstance mixed(settings, kMresTechnique, EffectInstance::Coverage::unmeasured);
   for (const int mapSize : {512, 2048, 8192}) {
     settings.renderer.shadowMapSize = mapSize;
     Renderer renderer(scene, profiler(), rendererSettings(settings));

@@ -38,7 +38,7 @@ FloatImage picture(const Scene& scene, const PictureSettings& settings) {
   mres::gl::Profiler profiler;
   Renderer renderer(scene, profiler);
   const GBufferTextures& gbuffer = renderer.drawGeometry(scene.cameras.front(), kSize);
-  EffectInstance instance(settings, mres::Technique::multiResolution, EffectInstance::Coverage::unmeasured);
+  EffectInstance instance(settings, kMresTechnique, EffectInstance::Coverage::unmeasured);
   instance.setInputs(drawInputs(renderer, settings));
   const GLuint values = instance.render(frameOf(renderer, gbuffer, kSize));
   return readTexture(renderer.drawLighting(screenEffects(settings, values)), kSize, 3);

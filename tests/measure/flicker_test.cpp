@@ -15,7 +15,7 @@ constexpr CameraPath kStandstill{.frames = 3, .metres = 0.0f, .degrees = 0.0f};
 
 class Flicker : public testing::Test {
  protected:
-  static PictureSettings settingsOf(const std::string& effect, mres::Technique technique) {
+  static PictureSettings settingsOf(const std::string& effect, const std::string& technique) {
     PictureSettings settings;
     settings.effect = effect;
     settings.technique = technique;
@@ -24,7 +24,8 @@ class Flicker : public testing::Test {
     settings.ssgi.samples = 16;
     return settings;
   }
-  Measurement measure(const std::string& effect, mres::Technique technique, std::optional<CameraPath> path) {
+  Measurement measure(const std::string& effect, const std::string& technique,
+                      std::optional<CameraPath> path) {
     Comparison comparison(scene_, settingsOf(effect, technique), true);
     return comparison.measure({.size = kSize, .path = path});
   }
@@ -35,8 +36,7 @@ class Flicker : public testing::Test {
 
 TEST_F(Flicker, OfTheReferenceIsNone) {
   for (const std::string& effect : effectNames()) {
-    const TemporalErrors errors =
-        measure(effect, mres::Technique::full, CameraPath{.frames = 3}).temporal.value();
+    const TemporalErrors errors = measure(effect, kFullTechnique, CameraPath{.frames = 3}).temporal.value();
     EXPECT_EQ(errors.frames, 3) << effect;
     EXPECT_EQ(errors.rms, 0.0) << effect;
     EXPECT_EQ(errors.blockMax, 0.0) << effect;
@@ -47,7 +47,7 @@ TEST_F(Flicker, OfTheReferenceIsNone) {
 
 TEST_F(Flicker, IsNoneWhereNothingMoves) {
   for (const std::string& effect : effectNames()) {
-    const Measurement still = measure(effect, mres::Technique::multiResolution, kStandstill);
+    const Measurement still = measure(effect, kMresTechnique, kStandstill);
     EXPECT_GT(still.error.value().rms, 0.0) << effect;
     EXPECT_EQ(still.temporal.value().max, 0.0) << effect;
     EXPECT_EQ(still.temporal.value().techniqueChange, 0.0) << effect;
@@ -59,7 +59,7 @@ TEST_F(Flicker, IsNoneWhereNothingMoves) {
 /// frames that are harder than the first.
 TEST_F(Flicker, AlongAPathIsSomeButNoMoreThanTheErrorAllows) {
   for (const std::string& effect : effectNames()) {
-    const Measurement moving = measure(effect, mres::Technique::multiResolution, CameraPath{.frames = 4});
+    const Measurement moving = measure(effect, kMresTechnique, CameraPath{.frames = 4});
     const TemporalErrors errors = moving.temporal.value();
     EXPECT_GT(errors.rms, 0.0) << effect;
     EXPECT_LT(errors.rms, 1.5 * std::sqrt(2.0) * moving.error.value().rms) << effect;
@@ -70,7 +70,7 @@ TEST_F(Flicker, AlongAPathIsSomeButNoMoreThanTheErrorAllows) {
 }
 
 TEST_F(Flicker, LeavesTheViewItselfForPictures) {
-  const PictureSettings settings = settingsOf("ssm", mres::Technique::multiResolution);
+  const PictureSettings settings = settingsOf("ssm", kMresTechnique);
   Comparison comparison(scene_, settings, true);
   const Measurement still = comparison.measure({.size = kSize});
   const ComparisonPictures before = comparison.pictures();
@@ -86,7 +86,7 @@ TEST_F(Flicker, LeavesTheViewItselfForPictures) {
 TEST_F(Flicker, TellsHowFarItIs) {
   std::vector<double> shares;
   std::vector<std::string> steps;
-  Comparison comparison(scene_, settingsOf("ssao", mres::Technique::multiResolution), true);
+  Comparison comparison(scene_, settingsOf("ssao", kMresTechnique), true);
   comparison.measure({.size = kSize, .path = CameraPath{.frames = 2}},
                      [&](double share, const std::string& what) {
                        shares.push_back(share);

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <string>
 
 #include "host/measure/effect_instance.h"
 #include "host/platform/gl_context.h"
@@ -11,10 +12,10 @@ constexpr glm::ivec2 kSize(160, 90);
 
 class Inspect : public testing::Test {
  protected:
-  Measurement inspected(StageClock clock) {
+  Measurement inspected(StageClock clock, const std::string& technique = kMresTechnique) {
     Renderer renderer(scene_, profiler_);
     const mres::Frame frame = frameOf(renderer, renderer.drawGeometry(scene_.cameras[0], kSize), kSize);
-    EffectInstance instance({}, mres::Technique::multiResolution, EffectInstance::Coverage::measured);
+    EffectInstance instance({}, technique, EffectInstance::Coverage::measured);
     Measurement measurement;
     inspect(instance, frame, clock, measurement);
     return measurement;
@@ -44,6 +45,18 @@ TEST_F(Inspect, WithoutAClockTellsAllElse) {
   EXPECT_EQ(untimed.coverage, timed.coverage);
   EXPECT_LT(untimed.coverage.front(), 1.0);
   EXPECT_EQ(untimed.gpuBytes, timed.gpuBytes);
+}
+
+TEST_F(Inspect, TellsThePixelsAndTheStagesOfPeers) {
+  const Measurement half = inspected(StageClock::finish, "half-joint");
+  EXPECT_EQ(half.work, 0.25);
+  EXPECT_TRUE(half.coverage.empty());
+  EXPECT_THAT(half.stages, testing::Contains(testing::Field(&StageCost::name, "upsample")));
+  EXPECT_GT(half.gpuBytes, 0u);
+  const Measurement tiles = inspected(StageClock::off, "adaptive-tiles");
+  EXPECT_GE(tiles.work, 1.0 / 16.0);
+  EXPECT_LT(tiles.work, 1.0) << "counted";
+  EXPECT_FALSE(inspected(StageClock::off).work.has_value()) << "coverage tells it";
 }
 
 TEST(StageClocks, AreQueriesOnlyWhereTheseAreTrue) {

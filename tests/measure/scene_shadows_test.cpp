@@ -118,8 +118,8 @@ PictureSettings softShadowsByDefault() {
 /// The shadows of one technique, and how they compare.
 class Shadows {
  public:
-  explicit Shadows(mres::Technique technique)
-      : name_(nameOf(technique)),
+  explicit Shadows(const std::string& technique)
+      : name_(technique),
         instance_(softShadowsByDefault(), technique, EffectInstance::Coverage::unmeasured) {}
 
   void compare(const Sunlight& sunlight, const mres::Frame& frame, const EffectInputs& inputs) {
@@ -191,8 +191,8 @@ class SceneShadows : public testing::TestWithParam<SunlitFloor> {
 };
 
 TEST_P(SceneShadows, AreLitWhereRaysAreOpenAndDarkWhereTheyAreBlocked) {
-  Shadows full(mres::Technique::full);
-  Shadows mixed(mres::Technique::multiResolution);
+  Shadows full(kFullTechnique);
+  Shadows mixed(kMresTechnique);
   for (const Camera& camera : cameras()) {
     const mres::Frame frame = frameOf(renderer_, renderer_.drawGeometry(camera, kSize), kSize);
     const EffectInputs inputs = drawInputs(renderer_, softShadowsByDefault());

@@ -28,9 +28,10 @@ std::vector<BenchCase> casesOf(const std::string& effect, const SuiteRequest& re
 }
 
 std::size_t distinct(const std::vector<BenchCase>& cases) {
-  std::set<std::tuple<std::string, std::string, int, int, int, int>> keys;
+  std::set<std::tuple<std::string, std::string, int, int, int, int, std::string, float>> keys;
   for (const BenchCase& each : cases)
-    keys.emplace(each.scene.name, each.effect, each.samples, each.size.x, each.size.y, each.camera);
+    keys.emplace(each.scene.name, each.effect, each.samples, each.size.x, each.size.y, each.camera,
+                 each.technique, each.errorBudget);
   return keys.size();
 }
 
@@ -43,9 +44,9 @@ std::size_t changes(const std::vector<BenchCase>& cases, const Key& key) {
   return count;
 }
 
-double seconds(const std::vector<BenchCase>& cases) {
+double seconds(const std::vector<BenchCase>& cases, const RepeatPlan& plan = campaignPlan()) {
   double sum = 0.0;
-  for (const BenchCase& each : cases) sum += secondsOf(each, campaignPlan());
+  for (const BenchCase& each : cases) sum += secondsOf(each, plan);
   return sum;
 }
 
@@ -56,7 +57,7 @@ TEST(Suite, NamesItsCasesAndRejectsOthers) {
 }
 
 TEST(Suite, HasEveryEffectAndNoOther) {
-  for (const char* suite : {"quick", "paper", "smoke"}) {
+  for (const char* suite : {"quick", "paper", "pareto", "smoke"}) {
     std::set<std::string> effects;
     for (const BenchCase& each : suiteCases({suite})) effects.insert(each.effect);
     EXPECT_THAT(effects, UnorderedElementsAreArray(effectNames())) << suite;
@@ -64,7 +65,7 @@ TEST(Suite, HasEveryEffectAndNoOther) {
 }
 
 TEST(Suite, MeasuresNoPictureTwice) {
-  for (const char* suite : {"quick", "paper", "smoke"})
+  for (const char* suite : {"quick", "paper", "pareto", "smoke"})
     for (const bool thorough : {false, true}) {
       const auto cases = suiteCases({suite, {}, thorough});
       EXPECT_EQ(distinct(cases), cases.size()) << suite;
@@ -131,10 +132,75 @@ TEST(PaperSuite, FitsItsTime) {
   EXPECT_LT(seconds(suiteCases({"quick"})), 4 * 60.0);
 }
 
+std::vector<BenchCase> competing(glm::ivec2 size, const std::string& effect) {
+  std::vector<BenchCase> cases = casesOf(effect, {"pareto"});
+  std::erase_if(cases, [&](const BenchCase& each) { return each.size != size || each.scene.name != "hall"; });
+  return cases;
+}
+
+TEST(ParetoSuite, HasEveryTechniqueAgainstTheSameReference) {
+  for (const std::string& effect : effectNames()) {
+    std::set<std::string> techniques;
+    std::set<int> samples;
+    std::set<float> budgets;
+    for (const BenchCase& each : competing({1920, 1080}, effect)) {
+      techniques.insert(each.technique);
+      if (each.technique == kFullTechnique) samples.insert(each.samples);
+      if (each.technique == kMresTechnique) budgets.insert(each.errorBudget);
+      EXPECT_EQ(referenceSamplesOf(each), effect == "ssao" ? 64 : effect == "ssm" ? 196 : 228);
+    }
+    std::vector<std::string> expected = techniqueNames();
+    if (effect == "ssm") std::erase(expected, kMinMaxTechnique);  // it has no use for geometry's edges
+    EXPECT_THAT(techniques, UnorderedElementsAreArray(expected)) << effect;
+    EXPECT_EQ(budgets.size(), 5U) << effect;
+    EXPECT_EQ(samples.size(), 4U) << effect;
+    EXPECT_FALSE(samples.contains(effect == "ssao" ? 64 : effect == "ssm" ? 196 : 228));
+  }
+}
+
+TEST(ParetoSuite, HasItsCompetitorsInEverySceneAndSize) {
+  std::set<std::tuple<std::string, std::string, int>> pictures;
+  for (const BenchCase& each : suiteCases({"pareto"}))
+    if (each.technique == "half-joint") pictures.emplace(each.scene.name, each.effect, each.size.x);
+  EXPECT_EQ(pictures.size(), 3U * 3 * 3);
+  EXPECT_EQ(referenceSamplesOf(competing(k4k, "ssgi").front()), 288);
+}
+
+TEST(ParetoSuite, ChecksTruthAndFlickerInOneSize) {
+  std::set<std::string> checked;
+  for (const BenchCase& each : suiteCases({"pareto"})) {
+    EXPECT_EQ(each.truth, each.frames > 0) << nameOf(each);
+    if (!each.truth) continue;
+    EXPECT_EQ(each.size, glm::ivec2(1920, 1080)) << nameOf(each);
+    checked.insert(each.technique);
+  }
+  EXPECT_THAT(checked, testing::IsSupersetOf({"mres", "half-joint", "quarter-joint", "checkerboard"}));
+}
+
+TEST(ParetoSuite, FitsItsHour) {
+  EXPECT_LT(seconds(suiteCases({"pareto"}), paretoPlan()), 60 * 60.0) << "if no ratio ever got certain";
+}
+
+TEST(ParetoSuite, WhenThoroughHasEveryViewByEveryTechniqueInEverySize) {
+  // 21 techniques and settings; of soft shadows all but min/max mips.
+  EXPECT_EQ(casesOf("ssao", {"pareto", {}, true}).size(), 21U * 3 * 8 * 3);
+  EXPECT_EQ(casesOf("ssm", {"pareto", {}, true}).size(), 20U * 3 * 8 * 3);
+}
+
 RepeatPlan onePair() {
   RepeatPlan plan = campaignPlan();
   plan.pairs = 1;
   return plan;
+}
+
+TEST(Plan, ExpectsRivalsToTakeTheirOwnTime) {
+  BenchCase rival{{}, "ssgi", 288, k4k};
+  rival.technique = "quarter-joint";
+  const double quarter = secondsOf(rival, onePair());
+  rival.technique = "interleaved";
+  EXPECT_GT(secondsOf(rival, onePair()), quarter + 20.0);
+  rival.frames = 4;
+  EXPECT_GT(secondsOf(rival, onePair()), quarter + 100.0);
 }
 
 TEST(Plan, ExpectsOnePairOfTheSlowestPictures) {

@@ -117,6 +117,24 @@ TEST(Report, ClaimsNoEfficiencyWithoutCoverage) {
   for (const char* name : {"work", "floor_ms", "efficiency"}) EXPECT_TRUE(result[name].is_null()) << name;
 }
 
+TEST(Report, TellsTheWorkOfTechniquesWithoutLevels) {
+  Measurement measurement = example();
+  measurement.coverage.clear();
+  measurement.work = 0.25;
+  const Json result = toJson(measurement);
+  EXPECT_EQ(result["coverage"], Json::array());
+  EXPECT_EQ(result["work"], 0.25);
+  EXPECT_EQ(result["floor_ms"], 62.5);
+  EXPECT_EQ(result["efficiency"], 0.625);
+}
+
+TEST(Report, TellsTheSamplesOfTheReference) {
+  Measurement measurement = example();
+  EXPECT_EQ(toJson(measurement)["reference_samples"], measurement.samples);
+  measurement.referenceSamples = 4 * measurement.samples;
+  EXPECT_EQ(toJson(measurement)["reference_samples"], 4 * measurement.samples);
+}
+
 TEST(Report, WithoutTimingHasTheSameFieldsWithNull) {
   Measurement measurement = example();
   const Json timed = toJson(measurement);
