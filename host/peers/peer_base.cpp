@@ -43,7 +43,7 @@ GLuint PeerBase::render(mres::Effect& effect, const mres::Frame& frame) {
   bindFrame(frame, params);
   context_.profiler.beginFrame();
   effect_.setUp(effect);
-  if (effect.description().readsPyramid) pyramid_.draw(context_, frame.size);
+  if (effect.description().readsPyramid) pyramid_.draw(context_, frame);
   bindEffect(effect, frame);
   const PeerFrame prepared{context_, effect_, pyramid_, effect.levels(), frame.size, effect.background()};
   const GLuint values = draw(prepared).id();
