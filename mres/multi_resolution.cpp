@@ -1,6 +1,6 @@
 #include "mres/multi_resolution.h"
 
-#include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -39,6 +39,23 @@ const char* reasonOf(const Settings& by, const PlanChooser& chooser) {
   return chooser.choosesLevels() ? "levels are faster" : "the plain effect is faster";
 }
 
+/// A frame whose times come later.
+struct TimedFrame {
+  std::uint64_t number = 0;
+  EffectPasses* passes = nullptr;  ///< null: nothing is to be learnt from it
+  PerLevel<PlannedLevel> levels;
+};
+
+/// Costs::work of a frame; none while coverage is not known.
+std::optional<double> workOf(EffectPasses& passes, const PerLevel<PlannedLevel>& levels) {
+  double pixels = 0.0;
+  for (const PlannedLevel& level : levels) {
+    if (!passes.coverage.isKnown(level.index)) return std::nullopt;
+    pixels += passes.coverage.of(level.index) * pixelCount(level.size);
+  }
+  return pixels / pixelCount(levels.front().size);
+}
+
 }  // namespace
 
 struct MultiResolution::Implementation {
@@ -50,7 +67,7 @@ struct MultiResolution::Implementation {
   }
 
   GLuint render(Effect& effect, const Frame& frame, const Settings& by, bool measuringCoverage);
-  Costs calibrate(Effect& effect, const Frame& frame);
+  std::optional<Costs> calibrate(Effect& effect, const Frame& frame);
   GLuint debugView(DebugView view);
   void reloadShaders();
   void bindEffect(Effect& effect, const Frame& frame);
@@ -58,9 +75,8 @@ struct MultiResolution::Implementation {
   void bindFrame(const Frame& frame, params::FrameParams& params);
   void draw(const PlannedFrame& planned, Effect& effect, const Frame& frame,
             const params::FrameParams& params);
-  [[nodiscard]] double workOf(EffectPasses& passes) const;
-  void learn(EffectPasses& passes);
-  void fillReport(EffectPasses& passes, const Settings& by, bool isConstant);
+  void learn();
+  void fillReport(EffectPasses& passes, const Settings& by, const std::optional<Constant>& constant);
 
   Settings settings;
   bool measureCoverage;
@@ -71,7 +87,9 @@ struct MultiResolution::Implementation {
   std::map<std::string, EffectPasses, std::less<>> effects;
   std::optional<DebugViewPass> debugViewPass;
   LevelPlan plan;
-  EdgeImages edges;  // of the last frame
+  std::uint64_t frames = 0;               // rendered
+  std::array<TimedFrame, 8> timedFrames;  // the last, by number: more than may be under way
+  EdgeImages edges;                       // of the last frame
   const EffectPasses* pictured =
       nullptr;  // of the last frame, if everything that the plan names was rendered
   Report report;
@@ -100,6 +118,7 @@ void MultiResolution::Implementation::bindEffect(Effect& effect, const Frame& fr
 
 void MultiResolution::Implementation::draw(const PlannedFrame& planned, Effect& effect, const Frame& frame,
                                            const params::FrameParams& params) {
+  planned.prepareLevels();
   constexpr const char* kShared = "another effect of the frame has made it";
   if (effect.description().readsPyramid && !shared->pyramid.draw(context, frame))
     plan.skipped.push_back({"depth", kShared});
@@ -116,70 +135,71 @@ GLuint MultiResolution::Implementation::render(Effect& effect, const Frame& fram
   validate(effect.levels());
   const gl::StateGuard guard(viewports);
   bindFrame(frame, params);
-  context.profiler.beginFrame();
+  context.profiler.beginFrame(++frames);
   EffectPasses& passes = passesOf(effect);
   pictured = nullptr;
   const std::optional<Constant> constant = effect.constant();
   plan = constant ? planConstant(frame.size, constant->reason)
                   : planLevels(by.technique, effect.levels(), frame.size, fallsBack(by, passes.chooser));
+  const bool teaches = by.technique == Technique::multiResolution && !constant && measuringCoverage;
+  timedFrames.at(frames % timedFrames.size()) = {frames, teaches ? &passes : nullptr, plan.levels};
   const PlannedFrame planned{context, by, plan, *shared, passes, measuringCoverage};
-  planned.prepareLevels();
   edges = {};
   if (constant)
-    planned.targets(0).composed().fill(constant->value);
+    planned.targets(0).fillAlone(effect.description(), frame.size, constant->value);
   else
     draw(planned, effect, frame, params);
   context.profiler.endFrame();
-  fillReport(passes, by, constant.has_value());
-  if (by.technique == Technique::multiResolution && !constant) learn(passes);
+  fillReport(passes, by, constant);
+  learn();
   report.bytes += effect.bytes();
   pictured = &passes;
   return planned.targets(0).composed().color().id();
 }
 
-/// Costs::work of the last frame.
-double MultiResolution::Implementation::workOf(EffectPasses& passes) const {
-  double pixels = 0.0;
-  for (const PlannedLevel& level : plan.levels)
-    pixels += passes.coverage.of(level.index) * pixelCount(level.size);
-  return pixels / pixelCount(plan.levels.front().size);
+/// From the frame whose times are known by now, perhaps that of another effect.
+void MultiResolution::Implementation::learn() {
+  const std::uint64_t number = context.profiler.stagesFrame();
+  TimedFrame& timed = timedFrames.at(number % timedFrames.size());
+  if (context.profiler.mode() != gl::Profiler::Mode::query || timed.number != number ||
+      timed.passes == nullptr)
+    return;
+  if (const std::optional<double> work = workOf(*timed.passes, timed.levels))
+    timed.passes->chooser.observe(frameCost(context.profiler.stages()), *work,
+                                  pixelCount(timed.levels.front().size));
+  timed.passes = nullptr;  // once
 }
 
-/// From the frame whose times are known by now.
-void MultiResolution::Implementation::learn(EffectPasses& passes) {
-  const bool timed =
-      context.profiler.mode() == gl::Profiler::Mode::query && !context.profiler.stages().empty();
-  const bool counted = std::ranges::all_of(
-      plan.levels, [&passes](const PlannedLevel& level) { return passes.coverage.isKnown(level.index); });
-  if (!timed || !counted) return;
-  passes.chooser.observe(frameCost(context.profiler.stages()), workOf(passes),
-                         pixelCount(plan.levels.front().size));
-}
-
-Costs MultiResolution::Implementation::calibrate(Effect& effect, const Frame& frame) {
+std::optional<Costs> MultiResolution::Implementation::calibrate(Effect& effect, const Frame& frame) {
+  const auto passes = [&]() -> EffectPasses& { return effects.find(effect.description().name)->second; };
   Settings by = settings;
   by.plan.fallBack = false;
   Frame alone = frame;
   alone.id = 0;  // or all but the first would be given what that one made
-  const char* const name = effect.description().name;
-  const Costs costs = measureCosts({.profiler = context.profiler,
-                                    .render =
-                                        [&](Technique technique) {
-                                          by.technique = technique;
-                                          render(effect, alone, by, technique == Technique::multiResolution);
-                                        },
-                                    .work = [&] { return workOf(effects.find(name)->second); },
-                                    .pixels = pixelCount(frame.size)});
-  effects.find(name)->second.chooser.setCosts(costs);
+  const auto renderBy = [&](Technique technique, bool counting) {
+    by.technique = technique;
+    render(effect, alone, by, counting);
+  };
+  renderBy(Technique::multiResolution, true);
+  std::optional<Costs> costs;
+  if (!effect.constant())
+    costs = measureCosts({.profiler = context.profiler,
+                          .render = renderBy,
+                          .work = [&] { return workOf(passes(), plan.levels).value_or(1.0); },
+                          .pixels = pixelCount(frame.size)});
+  passes().chooser.setCosts(costs);
   return costs;
 }
 
-void MultiResolution::Implementation::fillReport(EffectPasses& passes, const Settings& by, bool isConstant) {
+void MultiResolution::Implementation::fillReport(EffectPasses& passes, const Settings& by,
+                                                 const std::optional<Constant>& constant) {
   report.technique = plan.levels.size() > 1 ? by.technique : Technique::full;
-  report.plan = {fallsBack(by, passes.chooser), reasonOf(by, passes.chooser), passes.chooser.costs()};
+  report.plan = constant ? PlanReport{false, constant->reason, std::nullopt}
+                         : PlanReport{fallsBack(by, passes.chooser), reasonOf(by, passes.chooser),
+                                      passes.chooser.costs()};
   report.levels.clear();
   for (const PlannedLevel& level : plan.levels) {
-    report.levels.push_back({level.index, level.size, isConstant ? 0.0 : passes.coverage.of(level.index)});
+    report.levels.push_back({level.index, level.size, constant ? 0.0 : passes.coverage.of(level.index)});
   }
   report.skipped.assign(plan.skipped.begin(), plan.skipped.end());
   report.stages = context.profiler.stages();
@@ -227,7 +247,7 @@ GLuint MultiResolution::render(Effect& effect, const Frame& frame) {
   return implementation_->render(effect, frame, implementation_->settings, implementation_->measureCoverage);
 }
 
-Costs MultiResolution::calibrate(Effect& effect, const Frame& frame) {
+std::optional<Costs> MultiResolution::calibrate(Effect& effect, const Frame& frame) {
   return implementation_->calibrate(effect, frame);
 }
 
@@ -257,6 +277,8 @@ void MultiResolution::forget(std::string_view effectName) {
   const auto found = implementation_->effects.find(effectName);
   if (found == implementation_->effects.end()) return;
   if (implementation_->pictured == &found->second) implementation_->pictured = nullptr;
+  for (TimedFrame& timed : implementation_->timedFrames)
+    if (timed.passes == &found->second) timed.passes = nullptr;
   implementation_->effects.erase(found);
 }
 

@@ -52,11 +52,16 @@ class MultiResolution {
   GLuint render(Effect& effect, const Frame& frame);
 
   /// Measures on this device what `effect` takes for `frame`, by levels and at every pixel, so that from the
-  /// next render() on the faster one renders, as PlanSettings::fallBack has it. Renders and waits for some
-  /// frames, up to a quarter of a second or, of slow ones, a few: for when a scene has been loaded, not for
-  /// every frame. With Options::profiling by queries and Options::measureCoverage, later frames keep the
-  /// costs up to date. Throws what render() does.
-  Costs calibrate(Effect& effect, const Frame& frame);
+  /// next render() on the faster one renders, as PlanSettings::fallBack has it. None if the effect is the
+  /// same at every pixel. Costs are kept until they are measured or set again: do so when the size, the
+  /// effect's samples or errorBudget have changed much, or let frames keep them up to date, by
+  /// Options::profiling by queries with Options::measureCoverage (not on software rasterisers, whose queries
+  /// return before the work is done).
+  ///
+  /// Renders and waits for some frames, a fraction of a second or, of slow ones, a few: for when a scene has
+  /// been loaded, not for every frame. No occlusion query may be active. Throws what render() does; the
+  /// result of the effect's last render() is overwritten.
+  std::optional<Costs> calibrate(Effect& effect, const Frame& frame);
 
   /// Takes costs that calibrate() measured on the same device before; none forgets what is known, so that
   /// levels render. Throws what render() does if the effect is new.

@@ -36,7 +36,7 @@ std::string numberOr(const std::optional<double>& value, const char* format, con
 
 std::string ratioAtRms(const Technique& technique, const Technique& mres, double rms) {
   const auto own = timeWithin(curveOf(technique, &ParetoPoint::rms), rms);
-  const auto other = timeAlong(curveOf(mres, &ParetoPoint::rms), rms);
+  const auto other = timeWithin(curveOf(mres, &ParetoPoint::rms), rms);
   return own && other ? fmt::format("{:.2f}", *own / *other) : kNotReached;
 }
 

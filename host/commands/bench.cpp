@@ -43,7 +43,7 @@ struct BenchOptions {
 constexpr const char* kExamples = R"(
 Examples:
   mres bench -o out                          about three minutes on two cores without a GPU
-  mres bench --suite paper -o out            the evaluation of the paper, at most 100 minutes on two cores, and at 1920x1080
+  mres bench --suite paper -o out            the evaluation of the paper, at most 110 minutes on two cores, and at 1920x1080
                                              the errors against thousands of samples and ray tracing
   mres bench --suite paper -o out --resume   goes on after an interruption
   mres bench --suite paper --scenes models -o out

@@ -107,6 +107,7 @@ class PictureMaker {
   void renderEffect() { effectTexture_ = effect_->render(frame_); }
 
   std::vector<RunTime> timeEffect() {
+    costs_ = effect_->calibrate(frame_);
     const GlTimer timer(softwareRasterizer_);
     return timeAlone(
         [this] { renderEffect(); }, [&timer](const Work& work) { return timer(work); },
@@ -121,6 +122,7 @@ class PictureMaker {
   void look(Measurement& measurement) {
     show(kShareOfTiming, "looking at each stage");
     const auto inspected = makeInstance(EffectInstance::Coverage::measured);
+    inspected->setCosts(costs_);
     inspect(*inspected, frame_, options_.isTimed() ? stageClockOf(softwareRasterizer_) : StageClock::off,
             measurement);
   }
@@ -139,6 +141,7 @@ class PictureMaker {
   mres::Frame frame_;
   EffectInputs inputs_;
   std::unique_ptr<EffectInstance> effect_;
+  std::optional<mres::Costs> costs_;
   GLuint effectTexture_ = 0;  // of the last renderEffect(); none lights without it
 };
 

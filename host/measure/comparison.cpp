@@ -80,7 +80,7 @@ Measurement Comparison::measure(const ComparisonRequest& request, const WorkObse
   // First, so that what is left is the view itself, for pictures().
   const TemporalErrors temporal = measureFlicker(request, partOf(observe, 0.0, kShareOfPath));
   Measurement measurement = measureView(request, partOf(observe, kShareOfPath, 1.0));
-  measurement.temporal = temporal;
+  if (!measurement.plan.fallsBack) measurement.temporal = temporal;  // which is that of levels
   return measurement;
 }
 

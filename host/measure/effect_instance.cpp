@@ -65,7 +65,10 @@ mres::MultiResolution makeMultiResolution(const PictureSettings& settings, const
   multiResolution.settings().technique = technique.own.value();
   multiResolution.settings().plan = settings.plan;
   multiResolution.settings().mask = settings.mask;
-  if (technique.minMaxMips) multiResolution.settings().mask.minMaxMips = true;
+  if (technique.minMaxMips) {
+    multiResolution.settings().mask.minMaxMips = true;
+    multiResolution.settings().plan.fallBack = false;  // it is there for comparison
+  }
   return multiResolution;
 }
 

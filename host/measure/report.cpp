@@ -62,8 +62,10 @@ Json toJson(const TemporalErrors& temporal) {
           {"non_finite", temporal.nonFinite}};
 }
 
-/// What levels and the plain effect were expected to take; null where that was not measured.
+/// What levels and the plain effect were expected to take; null where that was not measured, or there are
+/// none.
 Json toJson(const mres::PlanReport& plan, glm::ivec2 size) {
+  if (plan.reason.empty()) return {};
   const double milliseconds = 1e-6 * size.x * size.y;  // of a nanosecond a pixel
   Json json{
       {"falls_back", plan.fallsBack}, {"reason", plan.reason}, {"levels_ms", Json()}, {"plain_ms", Json()}};

@@ -78,6 +78,12 @@ bool isTemporal(const Json& value) {
   return has<isWhole>(value, "frames") && has<isNumber>(value, "rms");
 }
 
+bool isPlan(const Json& value) {
+  return has<isText>(value, "reason") && value.contains("falls_back") && value["falls_back"].is_boolean() &&
+         (!value["falls_back"].get<bool>() ||
+          (has<isNumber>(value, "levels_ms") && has<isNumber>(value, "plain_ms")));
+}
+
 /// Files by what they show, and one number.
 bool isPictures(const Json& value) {
   if (!value.is_object()) return false;
@@ -116,11 +122,15 @@ constexpr std::array kResultFields{Field{"scene", isText},
                                    Field{"pictures", isPictures}};
 
 /// Fields that older reports lack.
-constexpr std::array kLaterFields{
-    Field{"reference_samples", isWhole},          Field{"temporal", isNullOr<isTemporal>},
-    Field{"truth", isNullOr<isTableOf<isTruth>>}, Field{"seconds", isNumber},
-    Field{"warnings", isListOf<isText>},          Field{"work", isNullOr<isNumber>},
-    Field{"floor_ms", isNullOr<isNumber>},        Field{"efficiency", isNullOr<isNumber>}};
+constexpr std::array kLaterFields{Field{"reference_samples", isWhole},
+                                  Field{"temporal", isNullOr<isTemporal>},
+                                  Field{"truth", isNullOr<isTableOf<isTruth>>},
+                                  Field{"seconds", isNumber},
+                                  Field{"warnings", isListOf<isText>},
+                                  Field{"work", isNullOr<isNumber>},
+                                  Field{"floor_ms", isNullOr<isNumber>},
+                                  Field{"efficiency", isNullOr<isNumber>},
+                                  Field{"plan", isNullOr<isPlan>}};
 
 /// A speedup comes with the times it is of, and plots show it with the error.
 constexpr std::array kFieldsOfASpeedup{"time_ms", "reference_time_ms", "clock", "speedup_interval", "error"};

@@ -153,13 +153,14 @@ std::string certainty(const Json& result) {
 std::string fallBacks(const Json& results) {
   std::string text;
   for (const Json& result : results) {
-    const Json plan = result.value("plan", Json::object());
-    if (!plan.value("falls_back", false)) continue;
+    const Json plan = result.value("plan", Json());
+    if (plan.is_null() || !plan["falls_back"].get<bool>()) continue;
     text += fmt::format(
-        "\nCamera {}, {}: the plain effect stood in for levels, which would take {:.1f} ms instead of "
+        "\n{}, camera {}, {}, {}: the plain effect stood in for levels, which would take {:.1f} ms instead "
+        "of "
         "{:.1f}.\n",
-        result["camera"].dump(), sizeOf(result), plan["levels_ms"].get<double>(),
-        plan["plain_ms"].get<double>());
+        result["scene"].get<std::string>(), result["camera"].dump(), result["effect"].get<std::string>(),
+        sizeOf(result), plan["levels_ms"].get<double>(), plan["plain_ms"].get<double>());
   }
   return text;
 }

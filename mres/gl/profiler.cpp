@@ -25,8 +25,9 @@ GLuint64 timestamp(const QueryName& query) {
 
 Profiler::Profiler(Mode mode) : mode_(mode), nextMode_(mode), debugGroups_(hasDebugLabels()) {}
 
-void Profiler::beginFrame() {
+void Profiler::beginFrame(std::uint64_t frame) {
   if (mode_ != nextMode_) changeMode();
+  currentFrame_ = frame;
   if (mode_ == Mode::finish) {
     current_.clear();
     starts_.clear();
@@ -34,6 +35,7 @@ void Profiler::beginFrame() {
     frame_ = (frame_ + 1) % kFramesInFlight;
     collect(frames_.at(frame_));
     frames_.at(frame_).used = 0;
+    frames_.at(frame_).frame = frame;
   }
 }
 
@@ -45,7 +47,9 @@ void Profiler::changeMode() {
 }
 
 void Profiler::endFrame() {
-  if (mode_ == Mode::finish) stages_ = current_;
+  if (mode_ != Mode::finish) return;
+  stages_ = current_;
+  stagesFrame_ = currentFrame_;
 }
 
 void Profiler::collect(FrameQueries& frame) {
@@ -54,6 +58,7 @@ void Profiler::collect(FrameQueries& frame) {
   }
   if (frame.used == 0) return;
   stages_.clear();
+  stagesFrame_ = frame.frame;
   for (std::size_t i = 0; i < frame.used; ++i) {
     const Pending& scope = frame.scopes[i];
     const GLuint64 nanoseconds = timestamp(scope.end) - timestamp(scope.begin);

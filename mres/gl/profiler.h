@@ -4,6 +4,7 @@
 
 #include <array>
 #include <chrono>
+#include <cstdint>
 #include <string_view>
 #include <vector>
 
@@ -28,13 +29,18 @@ class Profiler {
   explicit Profiler(Mode mode = Mode::off);
   void setMode(Mode mode) { nextMode_ = mode; }
   [[nodiscard]] Mode mode() const { return mode_; }
+  /// The mode from the next beginFrame() on.
+  [[nodiscard]] Mode nextMode() const { return nextMode_; }
 
-  /// Frames the scopes of one picture; a change of mode takes effect at beginFrame().
-  void beginFrame();
+  /// Frames the scopes of one picture; a change of mode takes effect at beginFrame(). `frame` is a name for
+  /// it.
+  void beginFrame(std::uint64_t frame = 0);
   void endFrame();
   /// The latest frame whose times are known, in the order in which the scopes began; empty while there is
   /// none of the present mode.
   [[nodiscard]] const std::vector<StageTime>& stages() const { return stages_; }
+  /// What beginFrame() was given for it.
+  [[nodiscard]] std::uint64_t stagesFrame() const { return stagesFrame_; }
 
  private:
   friend class Scope;
@@ -47,6 +53,7 @@ class Profiler {
   struct FrameQueries {
     std::vector<Pending> scopes;  // grows to the largest frame, then stays
     std::size_t used = 0;
+    std::uint64_t frame = 0;
   };
   std::size_t begin(const char* name);
   void end(std::size_t scope);
@@ -57,8 +64,10 @@ class Profiler {
   Mode nextMode_;
   bool debugGroups_;
   std::array<FrameQueries, kFramesInFlight> frames_;
-  std::size_t frame_ = 0;
+  std::size_t frame_ = 0;  // of frames_
+  std::uint64_t currentFrame_ = 0;
   std::vector<StageTime> stages_;
+  std::uint64_t stagesFrame_ = 0;
   std::vector<StageTime> current_;  // finish mode
   std::vector<std::chrono::steady_clock::time_point> starts_;
 };

@@ -38,6 +38,14 @@ void LevelTargets::ensure(const EffectDescription& effect, glm::ivec2 size, Leve
   role_ = role;
 }
 
+void LevelTargets::fillAlone(const EffectDescription& effect, glm::ivec2 size, glm::vec4 value) {
+  if (composed().size() != size) {
+    targets_ = {};
+    targets_.composed = gl::RenderTarget(size, {resultFormat(effect)}, 0, "mres.composite");
+  }
+  composed().fill(value);
+}
+
 // What has a zone can do without: falling back to the plain effect, and coming back, allocates nothing.
 bool LevelTargets::serves(LevelRole role) const {
   const bool plainZone = madeFor_ == LevelRole::zoned || madeFor_ == LevelRole::masked;
@@ -76,8 +84,9 @@ params::LevelParams levelParams(const LevelNeighbours& level, glm::ivec2 fullSiz
   params.levelHalfStride = stride / 2;
   params.levelJitter = isJittered(level.level, level.filtered) ? 1 : 0;
   if (level.coarser != nullptr) {
-    // Texel p of the coarser level sits at full-resolution pixel p * stride + stride / 2 - shift, so pixel x
-    // lies at texel (x - stride / 2 + shift) / stride; texel centres are half a texel on, which cancels.
+    // Texel p of the coarser level sits at full-resolution pixel p * stride + stride / 2 - jitter / 2, so
+    // pixel x lies at texel (x - stride / 2 + jitter / 2) / stride; texel centres are half a texel on, which
+    // cancels.
     const PlannedLevel& coarser = *level.coarser;
     params.coarserFromPixel = 1.0f / (static_cast<float>(1 << coarser.index) * glm::vec2(coarser.size));
     params.coarserStride = 1 << coarser.index;

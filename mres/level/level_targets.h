@@ -28,6 +28,9 @@ class LevelTargets {
   /// Makes what is missing for `size`: all or, if the driver rejects a target, nothing.
   void ensure(const EffectDescription& effect, glm::ivec2 size, LevelRole role);
 
+  /// Gives the picture `value` at every pixel, and makes nothing else for that.
+  void fillAlone(const EffectDescription& effect, glm::ivec2 size, glm::vec4 value);
+
   [[nodiscard]] const gl::RenderTarget& raw() const { return targets_.raw; }  ///< value and filter depth
   [[nodiscard]] const gl::RenderTarget& filteredAlongX() const { return targets_.filteredAlongX; }
   [[nodiscard]] const gl::RenderTarget& composed() const {

@@ -35,10 +35,8 @@ bool EdgePass::draw(PassContext& context, const MaskSettings& settings, const pa
   const params::EdgesParams thresholds = edgesParams(settings, frame);
   if (target_.size() == size && frameId != 0 && frameId == frame_ && areSame(thresholds, thresholds_))
     return false;
-  frame_ = frameId;
-  thresholds_ = thresholds;
+  frame_ = 0;  // until it is drawn
   foldsTowards_ = {};
-
   const gl::Scope scope(context.profiler, "mres.edges");
   if (target_.size() != size) target_ = gl::RenderTarget(size, {GL_RG8}, 0, "mres.edges");
 
@@ -47,13 +45,14 @@ bool EdgePass::draw(PassContext& context, const MaskSettings& settings, const pa
   glUseProgram(program_.id());
   target_.bind();
   context.triangle.draw();
+  frame_ = frameId;
+  thresholds_ = thresholds;
   return true;
 }
 
 void EdgePass::drawFolds(PassContext& context, int level, int coarser, glm::ivec2 fullSize) {
   int& towards = foldsTowards_.at(slot(level));
   if (towards == coarser) return;
-  towards = coarser;
   const gl::Scope scope(context.profiler, "mres.edges");
   gl::RenderTarget& target = folds_.at(slot(level));
   const glm::ivec2 size = levelSize(fullSize, level + 1);
@@ -65,6 +64,7 @@ void EdgePass::drawFolds(PassContext& context, int level, int coarser, glm::ivec
   glUniform1i(foldsProgram_.uniformLocation("coarserStride"), 1 << coarser);
   target.bind();
   context.triangle.draw();
+  towards = coarser;
 }
 
 void EdgePass::fill(float value) {

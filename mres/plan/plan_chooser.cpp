@@ -69,6 +69,8 @@ void PlanChooser::reconsider() {
 }
 
 void PlanChooser::change() {
+  const bool paid = levels_ && framesOfChoice_ > 2 * kFramesToChange;
+  if (paid) framesToRetry_ = kFramesToRetry;
   levels_ = !levels_;
   framesAgainst_ = 0;
   framesOfChoice_ = 0;

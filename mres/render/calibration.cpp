@@ -17,15 +17,16 @@ constexpr double kClearly = 3.0;
 constexpr int kMostFrames = 5;
 constexpr double kEnoughMs = 100.0;  // of frames of one kind
 
-/// Waits for each stage, as long as it lives.
-class WaitingProfiler {
+/// Has the profiler in a mode, as long as it lives.
+class ProfilerMode {
  public:
-  explicit WaitingProfiler(gl::Profiler& profiler) : profiler_(profiler), before_(profiler.mode()) {
-    profiler_.setMode(gl::Profiler::Mode::finish);
+  ProfilerMode(gl::Profiler& profiler, gl::Profiler::Mode mode)
+      : profiler_(profiler), before_(profiler.nextMode()) {
+    profiler_.setMode(mode);
   }
-  ~WaitingProfiler() { profiler_.setMode(before_); }
-  WaitingProfiler(const WaitingProfiler&) = delete;
-  WaitingProfiler& operator=(const WaitingProfiler&) = delete;
+  ~ProfilerMode() { profiler_.setMode(before_); }
+  ProfilerMode(const ProfilerMode&) = delete;
+  ProfilerMode& operator=(const ProfilerMode&) = delete;
 
  private:
   gl::Profiler& profiler_;
@@ -42,18 +43,18 @@ FrameCost leastOf(const FrameCost& a, const FrameCost& b) {
 double millisecondsOf(const CalibratedFrame& frame, Technique technique) {
   glFinish();
   const auto start = std::chrono::steady_clock::now();
-  frame.render(technique);
+  frame.render(technique, false);
   glFinish();
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
 /// The stages of a frame by levels, each waited for.
 FrameCost stagedFrame(const CalibratedFrame& frame) {
-  const WaitingProfiler waiting(frame.profiler);
+  const ProfilerMode waiting(frame.profiler, gl::Profiler::Mode::finish);
   FrameCost least;
   double spentMs = 0.0;
   for (int i = 0; i < kMostFrames && spentMs < kEnoughMs; ++i) {
-    frame.render(Technique::multiResolution);
+    frame.render(Technique::multiResolution, true);
     const FrameCost cost = frameCost(frame.profiler.stages());
     least = i == 0 ? cost : leastOf(least, cost);
     spentMs += cost.totalMs();
@@ -77,8 +78,9 @@ struct Times {
 
 /// By turns, so that both see the same machine.
 Times timeBoth(const CalibratedFrame& frame) {
+  const ProfilerMode unwatched(frame.profiler, gl::Profiler::Mode::off);
   Times times;
-  frame.render(Technique::full);  // sets up what only that needs
+  frame.render(Technique::full, false);  // sets up what only that needs
   double spentMs = 0.0;
   for (int pair = 0; pair < kMostFrames && spentMs < 2.0 * kEnoughMs; ++pair) {
     const double plainMs = millisecondsOf(frame, Technique::full);
@@ -93,7 +95,6 @@ Times timeBoth(const CalibratedFrame& frame) {
 }  // namespace
 
 Costs measureCosts(const CalibratedFrame& frame) {
-  frame.render(Technique::multiResolution);  // compiles and allocates
   const FrameCost staged = stagedFrame(frame);
   const double work = frame.work();
   const Costs roughly = costsOf(staged, staged.totalMs(), work, frame.pixels);

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "effects/ssao/ssao.h"
 #include "tests/gpu/multi_resolution_support.h"
 #include "tests/support/allocations.h"
 #include "tests/support/gl_state.h"
@@ -36,7 +37,7 @@ class Calibration : public MultiResolutionTest {
 
 TEST_F(Calibration, FallsBackWhereThePlainEffectIsFaster) {
   TestEffect effect(cheap());
-  const Costs costs = multiResolution_.calibrate(effect, gbuffer_.frame());
+  const Costs costs = multiResolution_.calibrate(effect, gbuffer_.frame()).value();
   EXPECT_GT(costs.levels(), costs.plain());
   const Picture picture = mixed(effect, gbuffer_.frame());
   const Report& report = multiResolution_.report();
@@ -51,7 +52,7 @@ TEST_F(Calibration, FallsBackWhereThePlainEffectIsFaster) {
 
 TEST_F(Calibration, KeepsLevelsWhereTheseAreFaster) {
   TestEffect effect(dear());
-  const Costs costs = multiResolution_.calibrate(effect, gbuffer_.frame());
+  const Costs costs = multiResolution_.calibrate(effect, gbuffer_.frame()).value();
   EXPECT_LT(costs.levels(), costs.plain());
   EXPECT_GT(costs.work, 1.0 / 64.0);
   EXPECT_LT(costs.work, 0.5);
@@ -62,7 +63,7 @@ TEST_F(Calibration, KeepsLevelsWhereTheseAreFaster) {
 
 TEST_F(Calibration, DecidesNothingThatWasAskedFor) {
   TestEffect effect(cheap());
-  multiResolution_.calibrate(effect, gbuffer_.frame());
+  multiResolution_.setCosts(effect, Costs{.overhead = 1.0});
   multiResolution_.settings().plan.fallBack = false;
   static_cast<void>(mixed(effect, gbuffer_.frame()));
   EXPECT_EQ(multiResolution_.report().technique, Technique::multiResolution);
@@ -75,7 +76,7 @@ TEST_F(Calibration, DecidesNothingThatWasAskedFor) {
 TEST_F(Calibration, OfOneEffectIsNotThatOfAnother) {
   TestEffect first(cheap());
   TestEffect second(dear());
-  multiResolution_.calibrate(first, gbuffer_.frame());
+  multiResolution_.setCosts(first, Costs{.overhead = 1.0});
   static_cast<void>(mixed(second, gbuffer_.frame()));
   EXPECT_EQ(multiResolution_.report().technique, Technique::multiResolution);
   EXPECT_FALSE(multiResolution_.report().plan.costs);
@@ -83,9 +84,9 @@ TEST_F(Calibration, OfOneEffectIsNotThatOfAnother) {
 
 TEST_F(Calibration, CostsCanBeKeptAndForgotten) {
   TestEffect effect(cheap());
-  const Costs costs = multiResolution_.calibrate(effect, gbuffer_.frame());
+  constexpr Costs kCosts{.overhead = 1.0};
   MultiResolution another;
-  another.setCosts(effect, costs);
+  another.setCosts(effect, kCosts);
   another.render(effect, gbuffer_.frame());
   EXPECT_EQ(another.report().technique, Technique::full);
   another.setCosts(effect, std::nullopt);
@@ -113,21 +114,58 @@ TEST_F(Calibration, ThrowsForWhatCannotBeRenderedAndLeavesProfilingOff) {
 
 TEST_F(Calibration, ChangingThePlanAllocatesNothing) {
   TestEffect effect(cheap());
-  const Costs plain = multiResolution_.calibrate(effect, gbuffer_.frame());
-  Costs levels = plain;
-  levels.overhead = 0.0;
   const auto alternate = [&] {
-    for (const Costs& costs : {plain, levels}) {
-      multiResolution_.setCosts(effect, costs);
+    for (const bool levels : {false, true}) {
+      multiResolution_.setCosts(effect, levels ? Costs{.evaluation = 1.0} : Costs{.overhead = 1.0});
       multiResolution_.render(effect, gbuffer_.frame());
+      EXPECT_EQ(multiResolution_.report().plan.fallsBack, !levels);
     }
   };
-  alternate();
+  for (int i = 0; i < 2; ++i) alternate();  // drivers compile variants of shaders
   const std::size_t bytes = multiResolution_.report().bytes;
   const AllocationCounter allocations;
   alternate();
   EXPECT_EQ(allocations.count(), 0u);
   EXPECT_EQ(multiResolution_.report().bytes, bytes);
+}
+
+TEST_F(Calibration, OfWhatIsTheSameEverywhereThereIsNone) {
+  Ssao ssao({.intensity = 0.0f});
+  EXPECT_FALSE(multiResolution_.calibrate(ssao, gbuffer_.frame()));
+  static_cast<void>(mixed(ssao, gbuffer_.frame()));
+  EXPECT_FALSE(multiResolution_.report().plan.fallsBack);
+  EXPECT_FALSE(multiResolution_.report().plan.costs);
+  EXPECT_EQ(multiResolution_.report().plan.reason, "an intensity of 0 shows nothing");
+}
+
+TEST_F(Calibration, FramesTeachTheCostsOfTheirOwnEffectAlone) {
+  MultiResolution multiResolution({.profiling = gl::Profiler::Mode::query, .measureCoverage = true});
+  TestEffect first(cheap());
+  TestEffect second(dear());
+  TestEffect third({.body = "return vec4(0.25);", .name = "third"});
+  for (int frame = 0; frame < 12; ++frame) {
+    for (TestEffect* effect : {&first, &second, &third}) {
+      multiResolution.settings().technique = effect == &third ? Technique::paper : Technique::multiResolution;
+      multiResolution.render(*effect, gbuffer_.frame());
+      glFinish();
+      const std::optional<Costs>& costs = multiResolution.report().plan.costs;
+      if (effect == &third) {
+        EXPECT_FALSE(costs) << "by the paper's technique nothing is chosen";
+      }
+      if (costs) {
+        // Of a constant, the half level finds out that nothing is to be refined; so does the other.
+        EXPECT_GT(costs->work, 1.0 / 64.0);
+        EXPECT_LT(costs->work, 0.5);
+      }
+    }
+  }
+  multiResolution.settings().technique = Technique::multiResolution;
+  multiResolution.render(first, gbuffer_.frame());
+  EXPECT_TRUE(multiResolution.report().plan.costs);
+  multiResolution.render(second, gbuffer_.frame());
+  EXPECT_TRUE(multiResolution.report().plan.costs);
+  multiResolution.forget("test");
+  for (int frame = 0; frame < 6; ++frame) multiResolution.render(second, gbuffer_.frame());
 }
 
 TEST_F(Calibration, LevelsAfterAPlainFrameDrawWhatTheyDrewBefore) {

@@ -116,6 +116,17 @@ TEST(PlanChooser, TriesLevelsAgainLessAndLessOften) {
   }
 }
 
+TEST(PlanChooser, ATryThatPaidMakesTheNextPauseShortAgain) {
+  PlanChooser chooser = fallenBack();
+  for (int i = 0; i < 3; ++i) {
+    observe(chooser, kPlain, PlanChooser::kFramesToRetry);
+    EXPECT_TRUE(chooser.choosesLevels()) << i;
+    observe(chooser, kCheapLevels, 100);
+    observe(chooser, kDearLevels, 100);
+    EXPECT_FALSE(chooser.choosesLevels()) << i;
+  }
+}
+
 TEST(PlanChooser, ATryThatPaysStays) {
   PlanChooser chooser = fallenBack();
   observe(chooser, kPlain, PlanChooser::kFramesToRetry);

@@ -221,9 +221,11 @@ TEST(ReportTable, SaysWhereThePlainEffectStoodIn) {
   EXPECT_THAT(toTable(reportOf({second})), Not(HasSubstr("stood in")));
   second.camera = 5;
   second.plan.fallsBack = true;
-  EXPECT_THAT(toTable(reportOf({example(), second})),
-              HasSubstr("Camera 5, 3840x2160: the plain effect stood in for levels, which would take 66.4 ms"
-                        " instead of 91.2."));
+  EXPECT_THAT(
+      toTable(reportOf({example(), second})),
+      HasSubstr(
+          "hall, camera 5, ssao, 3840x2160: the plain effect stood in for levels, which would take 66.4 ms"
+          " instead of 91.2."));
 }
 
 TEST(ReportTable, ShowsStagesOfOneEffectAlone) {
