@@ -80,9 +80,15 @@ bool isSamePicture(const Json& a, const Json& b) {
          referenceSamplesOf(a) == referenceSamplesOf(b);
 }
 
+/// Of a view that the plain effect rendered, flicker is not measured.
+bool fellBack(const Json& result) {
+  const Json plan = result.value("plan", Json());
+  return !plan.is_null() && plan.at("falls_back").get<bool>();
+}
+
 bool has(const Json& result, WantedParts parts) {
   return !(parts.times && result.at("speedup").is_null()) && !(parts.truth && truthsOf(result).is_null()) &&
-         !(parts.temporal && result.value("temporal", Json()).is_null());
+         !(parts.temporal && result.value("temporal", Json()).is_null() && !fellBack(result));
 }
 
 }  // namespace

@@ -69,7 +69,11 @@ TEST_F(Command, BenchOfRivalsHasTimeAgainstErrorAndResumes) {
   }
   for (const int rival : {2, 3})  // mres may fall back to the plain effect
     EXPECT_GT(results[rival]["error"]["rms"], 0.0) << results[rival]["technique"];
-  EXPECT_EQ(results[0]["temporal"]["frames"], 2);
+  // So small a picture may fall back, and then there is no flicker of levels.
+  if (!results[0]["plan"].is_null() && results[0]["plan"]["falls_back"] == true)
+    EXPECT_TRUE(results[0]["temporal"].is_null());
+  else
+    EXPECT_EQ(results[0]["temporal"]["frames"], 2);
   EXPECT_GT(results[0]["truth"]["converged"]["reference_rms"], 0.0);
   EXPECT_GT(results[1]["settings"]["errorBudget"], results[0]["settings"]["errorBudget"]);
   EXPECT_EQ(results[2]["technique"], "half-joint");
